@@ -1,0 +1,41 @@
+#include "cleft/enrichment/unknowns.hpp"
+
+#include <algorithm>
+
+namespace cleft::enrichment {
+
+Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cut) {
+  Unknowns out;
+  out.nodes = static_cast<Index>(mesh.nodes.size());
+  out.count = out.nodes;
+  out.ghost.assign(mesh.nodes.size(), kNone);
+  out.node_of.resize(mesh.nodes.size());
+  for (Index i = 0; i < out.nodes; ++i) out.node_of[i] = i;
+
+  std::vector<Index> touched;
+  std::vector<double> other_side(mesh.nodes.size(), 0.0), whole(mesh.nodes.size(), 0.0);
+  for (const auto& element : cut.elements)
+    for (int k = 0; k < 3; ++k) {
+      const Index node = mesh.triangles[element.element][k];
+      if (whole[node] == 0.0) touched.push_back(node);
+      whole[node] += element.area[0] + element.area[1];
+      other_side[node] += element.area[static_cast<int>(other(element.node_side[k]))];
+    }
+  std::sort(touched.begin(), touched.end());
+  for (const Index node : touched) {
+    const bool at_tip = std::binary_search(cut.tip_nodes.begin(), cut.tip_nodes.end(), node);
+    if (at_tip || other_side[node] <= kLeastSupport * whole[node]) continue;
+    out.ghost[node] = out.count++;
+    out.node_of.push_back(node);
+  }
+  return out;
+}
+
+Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element, int corner,
+                   geometry::Side side) {
+  const Index node = mesh.triangles[element.element][corner];
+  const Index ghost = unknowns.ghost[node];
+  return element.node_side[corner] == side || ghost == kNone ? node : ghost;
+}
+
+}  // namespace cleft::enrichment

@@ -1,0 +1,25 @@
+/// \file
+/// Cracks as polylines of the reference configuration.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cleft/support/types.hpp"
+
+namespace cleft::geometry {
+
+/// A side of a crack, seen along its direction from the first to the last point.
+enum class Side : std::uint8_t { Right = 0, Left = 1 };
+inline Side other(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
+
+struct Crack {
+  std::string name;
+  std::vector<Vec2> points;  ///< at least two, consecutive ones distinct; metres
+};
+
+/// `periods` waves of a sine of `amplitude` (metres, to the left of start->end first), sampled so that no chord is
+/// further than `tolerance` (metres) from the curve. Points at the crests and zeros are included.
+std::vector<Vec2> sine_curve(const Vec2& start, const Vec2& end, double amplitude, double periods, double tolerance);
+
+}  // namespace cleft::geometry
