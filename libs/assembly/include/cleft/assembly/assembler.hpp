@@ -1,0 +1,73 @@
+/// \file
+/// Internal force and tangent of bulk and contact.
+#pragma once
+
+#include <optional>
+
+#include "cleft/assembly/block_matrix.hpp"
+#include "cleft/assembly/failure.hpp"
+#include "cleft/assembly/model.hpp"
+#include "cleft/contact/search.hpp"
+
+namespace cleft::assembly {
+
+/// Which positive faces each negative face has room for in the matrix's pattern: ascending face numbers, per face.
+using ContactRoom = std::vector<std::vector<Index>>;
+
+struct AssemblySeconds {
+  double bulk = 0.0, contact = 0.0, pattern = 0.0;
+};
+
+/// Evaluates the internal force and its exact derivative at given displacements, into a matrix whose pattern is kept until a
+/// contact point's partner leaves the room that the pattern has for it.
+class Assembler {
+ public:
+  /// `model` must outlive the assembler.
+  explicit Assembler(const Model& model);
+
+  /// Everything at `displacement` (metres, all components) with the committed contact memory. A value: the failure, if the state has none.
+  [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
+                                                double deepest);
+
+  const VecX& internal_force() const { return force_; }  ///< N/m, bulk and contact
+  const VecX& contact_force() const { return contact_force_; }
+  BlockMatrix& matrix() { return matrix_; }
+  const BlockMatrix& matrix() const { return matrix_; }
+  const std::vector<contact::Pair>& pairs() const { return pairs_; }
+  const contact::FacePositions& face_positions() const { return search_.positions(); }
+
+  /// Counts how often the pattern was built: the linear solver must analyse anew when it changes.
+  long pattern_version() const { return version_; }
+
+  const ContactRoom& room() const { return room_; }
+  /// Restores the pattern of a resumed run.
+  void set_room(ContactRoom room);
+
+  const AssemblySeconds& seconds() const { return seconds_; }
+
+ private:
+  struct CellPlaces {
+    std::array<std::array<Index, 3>, 3> start;  // [row][column]
+    std::array<Index, 3> stride;                // of column
+  };
+
+  void build_pattern();
+  void make_room(const std::vector<contact::Memory>& memory);
+  bool has_room(const std::vector<contact::Memory>& memory) const;
+  std::optional<Failure> assemble_bulk(const VecX& displacement);
+  void assemble_contact(const std::vector<contact::Memory>& memory);
+  template <class Law>
+  Index bulk_loop(const Law& law, const VecX& displacement);
+
+  const Model& model_;
+  contact::Search search_;
+  std::vector<contact::Pair> pairs_;
+  VecX force_, contact_force_;
+  BlockMatrix matrix_;
+  std::vector<CellPlaces> places_;
+  ContactRoom room_;
+  long version_ = 0;
+  AssemblySeconds seconds_;
+};
+
+}  // namespace cleft::assembly

@@ -1,0 +1,21 @@
+/// \file
+/// Expected numerical outcomes, as values.
+#pragma once
+
+#include <string>
+
+namespace cleft::assembly {
+
+enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, StepTooSmall };
+
+/// Why an increment or a run failed, where, and what a user may try.
+struct Failure {
+  FailureKind kind = FailureKind::NoConvergence;
+  std::string place;   ///< element, side or unknown, with coordinates
+  std::string advice;
+};
+
+/// One sentence: what happened and where.
+std::string describe(const Failure& failure);
+
+}  // namespace cleft::assembly

@@ -1,0 +1,44 @@
+/// \file
+/// Direct solution of the sparse systems.
+#pragma once
+
+#include <memory>
+
+#include "cleft/assembly/block_matrix.hpp"
+
+namespace cleft::assembly {
+
+enum class Factorisation { Unsymmetric, Symmetric };
+
+/// Seconds spent in each phase of all calls so far, and their numbers.
+struct SolverSeconds {
+  double analyse = 0.0, factorise = 0.0, solve = 0.0;
+  long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
+};
+
+/// UMFPACK for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to be
+/// positive definite is factorised by UMFPACK, and counted.
+class LinearSolver {
+ public:
+  explicit LinearSolver(Factorisation kind);
+  ~LinearSolver();
+  LinearSolver(LinearSolver&&) noexcept;
+  LinearSolver& operator=(LinearSolver&&) noexcept;
+
+  /// Analyses the pattern. It is kept until the next call.
+  void analyse(const BlockMatrix& matrix);
+
+  /// Factorises the values. False if the matrix is singular or not finite.
+  [[nodiscard]] bool factorise(const BlockMatrix& matrix);
+
+  /// Solves A x = b with the last factorisation.
+  VecX solve(const BlockMatrix& matrix, const VecX& b);
+
+  const SolverSeconds& seconds() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace cleft::assembly

@@ -1,0 +1,65 @@
+/// \file
+/// A problem that is ready to be solved: what a scene describes, discretised. Nothing in it changes during an increment.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "cleft/constitutive/hencky.hpp"
+#include "cleft/constitutive/neo_hookean.hpp"
+#include "cleft/contact/surfaces.hpp"
+#include "cleft/enrichment/stencil.hpp"
+
+namespace cleft::assembly {
+
+using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean>;
+
+/// Unknowns whose displacement is prescribed on one named part of the boundary.
+struct Prescribed {
+  std::string name;
+  std::vector<Index> unknowns;
+  std::array<bool, 2> component{};  ///< which components are prescribed
+  std::function<Vec2(const Vec2& reference, double load)> displacement;  ///< metres
+};
+
+/// Dead forces: `force` (N/m, per component of all unknowns) times `factor(load)`.
+struct DeadLoad {
+  VecX force;
+  std::function<double(double load)> factor;
+};
+
+struct Model {
+  geometry::Mesh mesh;
+  std::vector<geometry::Crack> cracks;
+  geometry::CutMesh cut;
+  enrichment::Unknowns unknowns;
+  std::vector<enrichment::Cell> cells;
+  contact::Surfaces surfaces;  ///< no faces where the scene has no crack
+  Material material;
+  std::vector<Prescribed> prescribed;
+  std::vector<DeadLoad> dead_loads;
+
+  bool has_contact() const { return !surfaces.points.empty(); }
+  const constitutive::Lame& constants() const {
+    return std::visit([](const auto& m) -> const constitutive::Lame& { return m.constants; }, material);
+  }
+};
+
+/// One prescribed component of the solution, and where its value comes from.
+struct Constraint {
+  Index component = kNone;  ///< 2 * unknown + direction
+  Index source = kNone;     ///< index into Model::prescribed
+};
+
+/// All constraints, ascending in component; where two boundaries share a component the later one in the list counts.
+std::vector<Constraint> constraints_of(const Model& model);
+
+/// Prescribed values at a load, metres, in the order of `constraints`.
+VecX prescribed_values(const Model& model, const std::vector<Constraint>& constraints, double load);
+
+/// Sum of the dead loads at a load, N/m.
+VecX dead_force(const Model& model, double load);
+
+}  // namespace cleft::assembly

@@ -1,0 +1,209 @@
+#include "cleft/assembly/assembler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cleft/support/timer.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+// Faces on either side of a partner for which the pattern keeps room.
+constexpr int kRoom = 2;
+
+void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face, int reach, std::vector<Index>& out) {
+  out.push_back(face);
+  Index f = face;
+  for (int k = 0; k < reach && (f = faces[f].previous) != kNone; ++k) out.push_back(f);
+  f = face;
+  for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
+}
+
+bool presses(const contact::Pair& pair) {
+  return pair.partner_face != kNone && pair.state.traction.status != contact::Status::Open;
+}
+
+}  // namespace
+
+Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
+  if (model.has_contact()) {
+    const auto memory = contact::memory_at_rest(model.surfaces);
+    search_.run(model.surfaces, VecX::Zero(model.unknowns.components()), memory, 0.0, pairs_);
+    make_room(memory);
+  }
+  build_pattern();
+}
+
+void Assembler::set_room(ContactRoom room) {
+  room_ = std::move(room);
+  build_pattern();
+}
+
+void Assembler::build_pattern() {
+  const PhaseTimer timer(seconds_.pattern);
+  std::vector<std::array<Index, 2>> blocks;
+  blocks.reserve(9 * model_.cells.size());
+  const auto couple = [&](const auto& rows, const auto& columns) {
+    for (const Index i : rows)
+      for (const Index j : columns) blocks.push_back({i, j});
+  };
+  for (const auto& cell : model_.cells) couple(cell.unknown, cell.unknown);
+  std::vector<Index> together;
+  for (std::size_t f = 0; f < room_.size(); ++f) {
+    if (room_[f].empty()) continue;
+    const auto& own = model_.surfaces.faces[f].start.unknown;
+    together.assign(own.begin(), own.end());
+    for (const Index g : room_[f])
+      together.insert(together.end(), model_.surfaces.faces[g].start.unknown.begin(),
+                      model_.surfaces.faces[g].start.unknown.end());
+    std::sort(together.begin(), together.end());
+    together.erase(std::unique(together.begin(), together.end()), together.end());
+    couple(together, together);
+  }
+  matrix_ = BlockMatrix(model_.unknowns.count, blocks);
+  places_.resize(model_.cells.size());
+  for (std::size_t c = 0; c < model_.cells.size(); ++c)
+    for (int l = 0; l < 3; ++l)
+      for (int k = 0; k < 3; ++k) {
+        const auto place = matrix_.find(model_.cells[c].unknown[k], model_.cells[c].unknown[l]);
+        places_[c].start[k][l] = place.start;
+        places_[c].stride[l] = place.stride;
+      }
+  ++version_;
+}
+
+void Assembler::make_room(const std::vector<contact::Memory>& memory) {
+  for (auto& faces : room_) faces.clear();
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    auto& faces = room_[model_.surfaces.points[p].face];
+    if (pairs_[p].partner_face != kNone) add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kRoom, faces);
+    if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
+    if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
+  }
+  for (auto& faces : room_) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+}
+
+bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const auto& pair = pairs_[p];
+    if (!presses(pair)) continue;
+    const auto& faces = room_[model_.surfaces.points[p].face];
+    const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
+    const bool sticks = pair.state.traction.status == contact::Status::Stick;
+    if (!holds(pair.partner_face) || !holds(pair.mouth_face) || (sticks && !holds(memory[p].anchor_face))) return false;
+  }
+  return true;
+}
+
+std::optional<Failure> Assembler::assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
+                                           double deepest) {
+  if (model_.has_contact()) {
+    {
+      const PhaseTimer timer(seconds_.contact);
+      search_.run(model_.surfaces, displacement, memory, deepest, pairs_);
+    }
+    if (!has_room(memory)) {
+      make_room(memory);
+      build_pattern();
+    }
+  }
+  force_.setZero(model_.unknowns.components());
+  contact_force_.setZero(model_.has_contact() ? model_.unknowns.components() : 0);
+  matrix_.set_zero();
+  if (auto failure = assemble_bulk(displacement)) return failure;
+  if (model_.has_contact()) {
+    assemble_contact(memory);
+    force_ += contact_force_;
+  }
+  if (!force_.allFinite()) return Failure{FailureKind::NotFinite, "in the internal force", "smaller increments"};
+  return std::nullopt;
+}
+
+template <class Law>
+Index Assembler::bulk_loop(const Law& law, const VecX& displacement) {
+  for (std::size_t c = 0; c < model_.cells.size(); ++c) {
+    const auto& cell = model_.cells[c];
+    const Mat2 F = cell.deformation(displacement);
+    if (!(det(F) > 0.0)) return static_cast<Index>(c);
+    const constitutive::Response r = law.respond(F);
+    const auto& g = cell.gradient;
+    const auto& at = places_[c];
+    for (int l = 0; l < 3; ++l) {
+      force_.segment<2>(2 * cell.unknown[l]).noalias() += cell.area * (r.piola * g[l]);
+      // D g_l: columns k of dP/dF contracted with the gradient of the column's node
+      const Eigen::Matrix<double, 4, 2> d =
+          cell.area * (g[l](0) * r.tangent.leftCols<2>() + g[l](1) * r.tangent.rightCols<2>());
+      for (int k = 0; k < 3; ++k)
+        matrix_.add({at.start[k][l], at.stride[l]}, g[k](0) * d.topRows<2>() + g[k](1) * d.bottomRows<2>());
+    }
+  }
+  return kNone;
+}
+
+std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement) {
+  const PhaseTimer timer(seconds_.bulk);
+  const Index bad = std::visit([&](const auto& law) { return bulk_loop(law, displacement); }, model_.material);
+  if (bad == kNone) return std::nullopt;
+  const auto& cell = model_.cells[bad];
+  const auto& corner = model_.mesh.triangles[cell.element];
+  const Vec2 centre = (model_.mesh.nodes[corner[0]] + model_.mesh.nodes[corner[1]] + model_.mesh.nodes[corner[2]]) / 3.0;
+  const char* side = cell.cut == kNone ? "" : cell.side == geometry::Side::Left ? ", left side" : ", right side";
+  return Failure{FailureKind::Inverted,
+                 fmt::format("element {} at ({:.6g}, {:.6g}){}", cell.element, centre.x(), centre.y(), side),
+                 "smaller increments (loading.steps), or a finer mesh there"};
+}
+
+void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
+  const PhaseTimer timer(seconds_.contact);
+  const auto& faces = model_.surfaces.faces;
+  struct Column {
+    Index unknown;
+    double start, end;  // weights of the two inputs at `input`, `input + 2`
+    int input;
+  };
+  std::array<Column, 12> columns;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const auto& pair = pairs_[p];
+    if (!presses(pair)) continue;
+    const auto index = static_cast<Index>(p);
+    const auto force = contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
+                                      contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
+                                      pair.state);
+    int count = 0;
+    const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
+      for (int k = 0; k < 3; ++k) {
+        const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
+        if (s == 0.0 && e == 0.0) continue;
+        columns[count++] = two_points ? Column{faces[f].start.unknown[k], s, e, input}
+                                      : Column{faces[f].start.unknown[k], start_share * s + end_share * e, 0.0, input};
+      }
+    };
+    add(model_.surfaces.points[p].face, 0, 0, 0, true);
+    add(pair.partner_face, 4, 0, 0, true);
+    const int rows = count;
+    if (pair.state.traction.status == contact::Status::Stick)
+      add(memory[p].anchor_face, 8, 1.0 - memory[p].anchor_place, memory[p].anchor_place, false);
+    if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
+      add(pair.mouth_face, 10, pair.mouth_at_end ? 0.0 : 1.0, pair.mouth_at_end ? 1.0 : 0.0, false);
+
+    for (int r = 0; r < rows; ++r) {
+      const auto& row = columns[r];
+      contact_force_.segment<2>(2 * row.unknown) +=
+          row.start * force.force.segment<2>(row.input) + row.end * force.force.segment<2>(row.input + 2);
+      const Eigen::Matrix<double, 2, contact::kPairInputs> t =
+          row.start * force.tangent.middleRows<2>(row.input) + row.end * force.tangent.middleRows<2>(row.input + 2);
+      for (int c = 0; c < count; ++c) {
+        const auto& column = columns[c];
+        Mat2 block = column.start * t.middleCols<2>(column.input);
+        if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
+        matrix_.add(matrix_.find(row.unknown, column.unknown), block);
+      }
+    }
+  }
+}
+
+}  // namespace cleft::assembly

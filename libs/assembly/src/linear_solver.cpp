@@ -1,0 +1,124 @@
+#include "cleft/assembly/linear_solver.hpp"
+
+#include <cholmod.h>
+#include <umfpack.h>
+
+#include "cleft/support/timer.hpp"
+
+namespace cleft::assembly {
+
+struct LinearSolver::Data {
+  Factorisation kind;
+  SolverSeconds seconds;
+  void* symbolic = nullptr;
+  void* numeric = nullptr;
+  cholmod_common common;
+  cholmod_factor* factor = nullptr;
+  bool positive_definite = false;
+
+  explicit Data(Factorisation k) : kind(k) {
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.error_handler = nullptr;
+    common.print = 0;
+  }
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
+  ~Data() {
+    free_umfpack();
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+
+  void free_umfpack() {
+    if (numeric) umfpack_di_free_numeric(&numeric);
+    if (symbolic) umfpack_di_free_symbolic(&symbolic);
+  }
+
+  // CHOLMOD reads the upper triangle only, so that the whole matrix can be handed over as it is.
+  static cholmod_sparse view(const BlockMatrix& m) {
+    cholmod_sparse a{};
+    a.nrow = a.ncol = static_cast<std::size_t>(m.rows());
+    a.nzmax = static_cast<std::size_t>(m.nonzeros());
+    a.p = const_cast<Index*>(m.scalar_starts().data());
+    a.i = const_cast<Index*>(m.scalar_rows().data());
+    a.x = const_cast<double*>(m.values().data());
+    a.stype = 1;
+    a.itype = CHOLMOD_INT;
+    a.xtype = CHOLMOD_REAL;
+    a.dtype = CHOLMOD_DOUBLE;
+    a.sorted = a.packed = 1;
+    return a;
+  }
+
+  bool factorise_general(const BlockMatrix& m) {
+    if (!symbolic) {
+      const PhaseTimer timer(seconds.analyse);
+      ++seconds.analyses;
+      // without values: the order depends on the pattern alone, so that a resumed run repeats it exactly
+      umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic, nullptr,
+                          nullptr);
+    }
+    if (numeric) umfpack_di_free_numeric(&numeric);
+    const PhaseTimer timer(seconds.factorise);
+    const int status = umfpack_di_numeric(m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), symbolic,
+                                          &numeric, nullptr, nullptr);
+    return status == UMFPACK_OK;
+  }
+
+  bool factorise_symmetric(const BlockMatrix& m) {
+    cholmod_sparse a = view(m);
+    if (!factor) {
+      const PhaseTimer timer(seconds.analyse);
+      ++seconds.analyses;
+      factor = cholmod_analyze(&a, &common);
+    }
+    const PhaseTimer timer(seconds.factorise);
+    cholmod_factorize(&a, factor, &common);
+    return common.status == CHOLMOD_OK && factor->minor == factor->n;
+  }
+};
+
+LinearSolver::LinearSolver(Factorisation kind) : data_(std::make_unique<Data>(kind)) {}
+LinearSolver::~LinearSolver() = default;
+LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
+LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+void LinearSolver::analyse(const BlockMatrix&) {
+  data_->free_umfpack();
+  cholmod_free_factor(&data_->factor, &data_->common);
+}
+
+bool LinearSolver::factorise(const BlockMatrix& matrix) {
+  auto& d = *data_;
+  ++d.seconds.factorisations;
+  d.positive_definite = d.kind == Factorisation::Symmetric && d.factorise_symmetric(matrix);
+  if (d.positive_definite) return true;
+  if (d.kind == Factorisation::Symmetric) ++d.seconds.unsymmetric_fallbacks;
+  return d.factorise_general(matrix);
+}
+
+VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
+  auto& d = *data_;
+  const PhaseTimer timer(d.seconds.solve);
+  VecX x(matrix.rows());
+  if (!d.positive_definite) {
+    umfpack_di_solve(UMFPACK_A, matrix.scalar_starts().data(), matrix.scalar_rows().data(), matrix.values().data(), x.data(),
+                     b.data(), d.numeric, nullptr, nullptr);
+    return x;
+  }
+  cholmod_dense rhs{};
+  rhs.nrow = rhs.nzmax = rhs.d = static_cast<std::size_t>(matrix.rows());
+  rhs.ncol = 1;
+  rhs.x = const_cast<double*>(b.data());
+  rhs.xtype = CHOLMOD_REAL;
+  rhs.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* result = cholmod_solve(CHOLMOD_A, d.factor, &rhs, &d.common);
+  x = Eigen::Map<const VecX>(static_cast<const double*>(result->x), x.size());
+  cholmod_free_dense(&result, &d.common);
+  return x;
+}
+
+const SolverSeconds& LinearSolver::seconds() const { return data_->seconds; }
+
+}  // namespace cleft::assembly

@@ -1,0 +1,35 @@
+#include "cleft/assembly/model.hpp"
+
+#include <algorithm>
+
+namespace cleft::assembly {
+
+std::vector<Constraint> constraints_of(const Model& model) {
+  std::vector<Index> source(model.unknowns.components(), kNone);
+  for (Index p = 0; p < static_cast<Index>(model.prescribed.size()); ++p)
+    for (const Index unknown : model.prescribed[p].unknowns)
+      for (int i = 0; i < 2; ++i)
+        if (model.prescribed[p].component[i]) source[2 * unknown + i] = p;
+  std::vector<Constraint> out;
+  for (Index c = 0; c < static_cast<Index>(source.size()); ++c)
+    if (source[c] != kNone) out.push_back({c, source[c]});
+  return out;
+}
+
+VecX prescribed_values(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  VecX values(constraints.size());
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    const auto [component, source] = constraints[k];
+    const Vec2& reference = model.mesh.nodes[model.unknowns.node_of[component / 2]];
+    values[k] = model.prescribed[source].displacement(reference, load)[component % 2];
+  }
+  return values;
+}
+
+VecX dead_force(const Model& model, double load) {
+  VecX force = VecX::Zero(model.unknowns.components());
+  for (const auto& dead : model.dead_loads) force += dead.factor(load) * dead.force;
+  return force;
+}
+
+}  // namespace cleft::assembly

@@ -1,0 +1,49 @@
+/// \file
+/// Partners of contact points in the current configuration, with no bound on the slip.
+#pragma once
+
+#include "cleft/contact/pair.hpp"
+#include "cleft/contact/surfaces.hpp"
+#include "cleft/geometry/segment_grid.hpp"
+
+namespace cleft::contact {
+
+/// A contact point with its partner at the present iterate.
+struct Pair {
+  Index partner_face = kNone;  ///< kNone: nothing opposite
+  Index mouth_face = kNone;    ///< the face whose free end the point may run past, or kNone
+  bool mouth_at_end = false;   ///< the free end is that face's end (else its start)
+  PairState state;
+};
+
+/// Current positions of all faces' ends.
+struct FacePositions {
+  std::vector<Vec2> start, end;  ///< per face, metres
+};
+
+/// Finds partners. Keeps its scratch memory between calls.
+class Search {
+ public:
+  /// `displacement`: components of all unknowns. The partner is the nearest crossing of the point's normal line with a face
+  /// that faces it (n_+ . n < 0) within the search radius, which is the larger of 5 element sizes and ten times
+  /// `deepest`, the largest penetration so far (metres), unless the surfaces set one. Past the free end of a face its last segment counts
+  /// as continued until the point's whole share has passed.
+  void run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
+           std::vector<Pair>& pairs);
+
+  const FacePositions& positions() const { return positions_; }
+
+ private:
+  FacePositions positions_;
+  geometry::SegmentGrid grid_;
+  std::vector<Index> partners_, mouths_;
+  std::vector<Vec2> partner_start_, partner_end_;
+};
+
+/// The six points of a pair, from current positions.
+PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
+                       const Memory& memory);
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
+                             const Memory& memory);
+
+}  // namespace cleft::contact

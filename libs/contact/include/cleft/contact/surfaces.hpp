@@ -1,0 +1,54 @@
+/// \file
+/// Which faces may touch, where they are integrated, and what a contact point remembers.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cleft/contact/law.hpp"
+#include "cleft/enrichment/stencil.hpp"
+
+namespace cleft::contact {
+
+/// Which side of a crack carries the contact quadrature.
+enum class NegativeSide : std::uint8_t { Right, Left, Both };
+
+/// A quadrature point of a negative face.
+struct Point {
+  Index face = kNone;          ///< number of its face
+  double eta = 0.0;            ///< place on the face, 0 at the start, 1 at the end
+  double weight = 0.0;         ///< reference length it stands for, metres (half of it if both sides are integrated)
+  double share_begin = 0.0;    ///< the part of the face it stands for
+  double share_end = 0.0;
+};
+
+/// What a point remembers between increments. Anchors are material points: a face and a place on it.
+struct Memory {
+  Index anchor_face = kNone;   ///< kNone: no anchor
+  double anchor_place = 0.0;
+  double slip = 0.0;           ///< cumulative, metres
+};
+
+/// Everything about contact that does not change during an increment.
+struct Surfaces {
+  std::vector<enrichment::Face> faces;
+  std::vector<Point> points;
+  std::vector<Law> laws;             ///< per crack
+  std::vector<NegativeSide> sides;   ///< per crack
+  double element_size = 0.0;         ///< of the cut elements, metres: scale of touch and of the search
+  double search_radius = 0.0;        ///< 0: by scale
+
+  bool is_partner(const enrichment::Face& face) const {
+    const NegativeSide side = sides[face.crack];
+    return side == NegativeSide::Both || (side == NegativeSide::Left) != (face.side == geometry::Side::Left);
+  }
+  Touch touch() const { return {1e-12 * element_size}; }
+};
+
+/// Places Gauss points (1 to 4 a segment) on the negative faces.
+std::vector<Point> place_points(const Surfaces& surfaces, int per_segment);
+
+/// Memory at rest: a point whose faces coincide is anchored at the material point opposite.
+std::vector<Memory> memory_at_rest(const Surfaces& surfaces);
+
+}  // namespace cleft::contact

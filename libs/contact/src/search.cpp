@@ -1,0 +1,143 @@
+#include "cleft/contact/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cleft::contact {
+namespace {
+
+constexpr double kVertex = 1e-10;  // both neighbours of a vertex are tried, so that none is lost between them
+
+struct Ray {
+  Vec2 y, t, n;
+  double length, reach;
+};
+
+struct Hit {
+  Index face = kNone;
+  double gap = std::numeric_limits<double>::infinity();
+};
+
+Ray ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double radius) {
+  const Point& point = surfaces.points[p];
+  const Vec2 along = at.end[point.face] - at.start[point.face];
+  const double length = along.norm();
+  const Vec2 t = along / length;
+  const double sign = surfaces.faces[point.face].normal_sign();
+  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius};
+}
+
+// Where the ray's line meets the line of a face, if that face looks at the ray.
+bool meets(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Index f, double& xi, double& gap) {
+  const Vec2 e = at.end[f] - at.start[f];
+  const double et = e.dot(ray.t);
+  if (surfaces.faces[f].normal_sign() * turn_left(e).dot(ray.n) >= 0.0 || et == 0.0) return false;
+  xi = (ray.y - at.start[f]).dot(ray.t) / et;
+  gap = (at.start[f] + xi * e - ray.y).dot(ray.n);
+  return std::fabs(gap) <= ray.reach;
+}
+
+// Places of the point's share along its tangent, relative to the point, seen from a free end whose body lies ahead (+1) or behind.
+double inner_share(const Point& point, double length, int direction) {
+  return (direction > 0 ? point.share_end - point.eta : point.eta - point.share_begin) * length;
+}
+double outer_share(const Point& point, double length, int direction) { return inner_share(point, length, -direction); }
+
+// +1 if the face continues along the ray's tangent from its free end, -1 if against it.
+int direction_of(const FacePositions& at, const Ray& ray, Index f, bool at_end) {
+  const bool along = (at.end[f] - at.start[f]).dot(ray.t) > 0.0;
+  return along != at_end ? 1 : -1;
+}
+
+}  // namespace
+
+void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
+                 std::vector<Pair>& pairs) {
+  const auto count = static_cast<Index>(surfaces.faces.size());
+  positions_.start.resize(count);
+  positions_.end.resize(count);
+  partners_.clear();
+  mouths_.clear();
+  partner_start_.clear();
+  partner_end_.clear();
+  for (Index f = 0; f < count; ++f) {
+    const auto& face = surfaces.faces[f];
+    positions_.start[f] = face.reference_start + face.start.displacement(displacement);
+    positions_.end[f] = face.reference_end + face.end.displacement(displacement);
+    if (!surfaces.is_partner(face)) continue;
+    partners_.push_back(f);
+    partner_start_.push_back(positions_.start[f]);
+    partner_end_.push_back(positions_.end[f]);
+    if (face.free_start || face.free_end) mouths_.push_back(f);
+  }
+  grid_.build(partner_start_, partner_end_);
+
+  const double radius =
+      surfaces.search_radius > 0.0 ? surfaces.search_radius : std::max(5.0 * surfaces.element_size, 10.0 * deepest);
+  pairs.resize(surfaces.points.size());
+  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) {
+    const Point& point = surfaces.points[p];
+    Pair& pair = pairs[p];
+    pair = Pair{};
+    const Ray ray = ray_of(surfaces, positions_, p, radius);
+    if (!(ray.length > 0.0)) continue;
+    Hit hit;
+    const Vec2 from = ray.y - radius * ray.n, to = ray.y + radius * ray.n;
+    grid_.near(from, to, [&](Index k) {
+      double xi = 0.0, gap = 0.0;
+      if (!meets(surfaces, positions_, ray, partners_[k], xi, gap)) return;
+      if (xi < -kVertex || xi > 1.0 + kVertex) return;
+      if (std::fabs(gap) < std::fabs(hit.gap)) hit = {partners_[k], gap};
+    });
+    for (const Index f : mouths_)
+      for (const bool at_end : {false, true}) {
+        if (!(at_end ? surfaces.faces[f].free_end : surfaces.faces[f].free_start)) continue;
+        double xi = 0.0, gap = 0.0;
+        if (!meets(surfaces, positions_, ray, f, xi, gap)) continue;
+        const Vec2& mouth = at_end ? positions_.end[f] : positions_.start[f];
+        const int direction = direction_of(positions_, ray, f, at_end);
+        const double overrun = -direction * (ray.y - mouth).dot(ray.t);
+        if (overrun >= inner_share(point, ray.length, direction)) continue;   // wholly past the end
+        if (-overrun >= outer_share(point, ray.length, direction)) continue;  // wholly before it
+        const bool past = overrun > 0.0;
+        if (past && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) continue;
+        if (past) hit = {f, gap};
+        pair.mouth_face = f;
+        pair.mouth_at_end = at_end;
+      }
+    if (hit.face == kNone) {
+      pair = Pair{};
+      continue;
+    }
+    pair.partner_face = hit.face;
+    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, memory[p]),
+                          pair_constants(surfaces, positions_, p, pair, memory[p]));
+  }
+}
+
+PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
+  const Index own = surfaces.points[p].face;
+  PairPoints out{at.start[own], at.end[own], at.start[pair.partner_face], at.end[pair.partner_face], Vec2::Zero(),
+                 Vec2::Zero()};
+  if (const Index a = memory.anchor_face; a != kNone)
+    out.anchor = (1.0 - memory.anchor_place) * at.start[a] + memory.anchor_place * at.end[a];
+  if (const Index m = pair.mouth_face; m != kNone) out.mouth = pair.mouth_at_end ? at.end[m] : at.start[m];
+  return out;
+}
+
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                             const Memory& memory) {
+  const Point& point = surfaces.points[p];
+  const auto& face = surfaces.faces[point.face];
+  PairConstants out{surfaces.laws[face.crack], surfaces.touch(),     point.weight,       point.eta, point.share_begin,
+                    point.share_end,           face.normal_sign(), memory.anchor_face != kNone, 0};
+  if (pair.mouth_face != kNone) {
+    const Vec2 own = at.end[point.face] - at.start[point.face];
+    const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;
+    out.mouth = along != pair.mouth_at_end ? 1 : -1;
+  }
+  return out;
+}
+
+}  // namespace cleft::contact

@@ -1,0 +1,64 @@
+#include "crack_check.hpp"
+
+#include <utility>
+
+#include "cleft/geometry/segment_grid.hpp"
+#include "cleft/support/error.hpp"
+#include "predicates.hpp"
+
+namespace cleft::geometry {
+
+namespace {
+
+void check_points(const Crack& crack) {
+  if (crack.points.size() < 2) throw InputError({}, crack.name, "has fewer than two points; a crack needs at least two");
+  for (std::size_t k = 0; k < crack.points.size(); ++k) {
+    if (!crack.points[k].allFinite()) {
+      throw InputError({}, crack.name, "point " + std::to_string(k + 1) + " is not finite");
+    }
+    if (k > 0 && crack.points[k] == crack.points[k - 1]) {
+      throw InputError({}, crack.name, "points " + std::to_string(k) + " and " + std::to_string(k + 1) + " coincide; consecutive points must differ");
+    }
+  }
+}
+
+}  // namespace
+
+void check_cracks(const std::vector<Crack>& cracks) {
+  std::vector<Vec2> starts, ends;
+  std::vector<std::pair<std::size_t, std::size_t>> place;  // crack and segment
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    check_points(cracks[c]);
+    const auto& points = cracks[c].points;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      starts.push_back(points[k]);
+      ends.push_back(points[k + 1]);
+      place.emplace_back(c, k);
+    }
+  }
+  SegmentGrid grid;
+  grid.build(starts, ends);
+  for (std::size_t m = 0; m < starts.size(); ++m) {
+    const auto [crack, segment] = place[m];
+    const std::string& name = cracks[crack].name;
+    grid.near(starts[m], ends[m], [&](Index visited) {
+      const auto k = static_cast<std::size_t>(visited);
+      if (k <= m) return;
+      if (place[k].first == crack && place[k].second == segment + 1) {
+        if (folds_back(starts[m], ends[m], ends[k])) {
+          throw InputError({}, name, "folds back on itself at point " + std::to_string(segment + 2));
+        }
+        return;
+      }
+      if (!segments_meet(starts[m], ends[m], starts[k], ends[k])) return;
+      if (place[k].first == crack) {
+        throw InputError({}, name, "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
+                                       std::to_string(place[k].second + 1) + " meet, which is not allowed");
+      }
+      throw InputError({}, name, "crosses or touches crack " + cracks[place[k].first].name +
+                                     "; cracks must keep clear of each other");
+    });
+  }
+}
+
+}  // namespace cleft::geometry

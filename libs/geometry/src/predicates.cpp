@@ -1,0 +1,47 @@
+#include "predicates.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+
+namespace cleft::geometry {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+int sign_of_difference(double a, double b) { return a > b ? 1 : a < b ? -1 : 0; }
+
+// c is known to be on the line through a and b
+bool within_box(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return std::min(a.x(), b.x()) <= c.x() && c.x() <= std::max(a.x(), b.x()) && std::min(a.y(), b.y()) <= c.y() &&
+         c.y() <= std::max(a.y(), b.y());
+}
+
+}  // namespace
+
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return static_cast<int>(CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
+                                            Kernel::Point_2(c.x(), c.y())));
+}
+
+int side_of_shifted_line(const Vec2& p, const Vec2& q, const Vec2& node) {
+  // d/de of cross(q - p, node - p - e v) is -cross(q - p, v), for v = (1, 0) and then (0, 1)
+  if (const int side = orientation(p, q, node)) return side;
+  if (const int side = sign_of_difference(q.y(), p.y())) return side;
+  return sign_of_difference(p.x(), q.x());
+}
+
+int shifted_side_of_edge(const Vec2& a, const Vec2& b, const Vec2& p) {
+  if (const int side = orientation(a, b, p)) return side;
+  if (const int side = sign_of_difference(a.y(), b.y())) return side;
+  return sign_of_difference(b.x(), a.x());
+}
+
+bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const int ac = orientation(a, b, c), ad = orientation(a, b, d), ca = orientation(c, d, a), cb = orientation(c, d, b);
+  if (ac * ad < 0 && ca * cb < 0) return true;
+  return (ac == 0 && within_box(a, b, c)) || (ad == 0 && within_box(a, b, d)) || (ca == 0 && within_box(c, d, a)) ||
+         (cb == 0 && within_box(c, d, b));
+}
+
+}  // namespace cleft::geometry
