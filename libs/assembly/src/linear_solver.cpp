@@ -15,6 +15,7 @@ struct LinearSolver::Data {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   bool positive_definite = false;
+  long pattern = -1;
 
   explicit Data(Factorisation k) : kind(k) {
     cholmod_start(&common);
@@ -84,7 +85,8 @@ LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 
-void LinearSolver::analyse(const BlockMatrix&) {
+void LinearSolver::new_pattern(long number) {
+  data_->pattern = number;
   data_->free_umfpack();
   cholmod_free_factor(&data_->factor, &data_->common);
 }
@@ -118,6 +120,8 @@ VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
   cholmod_free_dense(&result, &d.common);
   return x;
 }
+
+long LinearSolver::pattern() const { return data_->pattern; }
 
 const SolverSeconds& LinearSolver::seconds() const { return data_->seconds; }
 

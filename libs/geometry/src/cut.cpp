@@ -111,7 +111,7 @@ class Cutter {
     CrackCut entry;
     entry.first_segment = static_cast<Index>(result.segments.size());
     for (const Chain& chain : trace.chains) {
-      const Crossing& begin = trace.crossings[static_cast<std::size_t>(chain.passages.front().in)];
+      const EdgeCrossing& begin = trace.crossings[static_cast<std::size_t>(chain.passages.front().in)];
       Vec2 from = begin.point;
       double s = begin.s;
       bool joins = false;
@@ -132,14 +132,14 @@ class Cutter {
           const int point = passage.first_kink + static_cast<int>(k);
           go_to(kinks[k], tracer.arc_length(crack.points[static_cast<std::size_t>(point)], point - 1));
         }
-        const Crossing& out = trace.crossings[static_cast<std::size_t>(passage.out)];
+        const EdgeCrossing& out = trace.crossings[static_cast<std::size_t>(passage.out)];
         go_to(out.point, out.s);
         result.snapped += out.snapped_to != kNone;
       }
     }
     entry.last_segment = static_cast<Index>(result.segments.size());
-    const Crossing& start = trace.crossings[static_cast<std::size_t>(trace.chains.front().passages.front().in)];
-    const Crossing& end = trace.crossings[static_cast<std::size_t>(trace.chains.back().passages.back().out)];
+    const EdgeCrossing& start = trace.crossings[static_cast<std::size_t>(trace.chains.front().passages.front().in)];
+    const EdgeCrossing& end = trace.crossings[static_cast<std::size_t>(trace.chains.back().passages.back().out)];
     entry.ends[0] = {trace.chains.front().kind[0], crack.points.front(), start.point, start.s};
     entry.ends[1] = {trace.chains.back().kind[1], crack.points.back(), end.point, end.s};
     result.cracks.push_back(entry);

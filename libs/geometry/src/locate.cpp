@@ -14,7 +14,7 @@ double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& point) {
 
 bool contains(const Topology& topology, Index t, const Vec2& point) {
   for (int k = 0; k < 3; ++k) {
-    if (side_of_edge(topology.corner(t, k), topology.corner(t, k + 1), point) < 0) return false;
+    if (shifted_side_of_edge(topology.corner(t, k), topology.corner(t, k + 1), point) < 0) return false;
   }
   return true;
 }

@@ -1,8 +1,10 @@
 #include "predicates.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <array>
 
 namespace cleft::geometry {
 namespace {
@@ -42,6 +44,39 @@ bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   if (ac * ad < 0 && ca * cb < 0) return true;
   return (ac == 0 && within_box(a, b, c)) || (ad == 0 && within_box(a, b, d)) || (ca == 0 && within_box(c, d, a)) ||
          (cb == 0 && within_box(c, d, b));
+}
+
+bool folds_back(const Vec2& p, const Vec2& v, const Vec2& s) {
+  if (orientation(p, v, s) != 0) return false;
+  const int axis = p.x() != v.x() ? 0 : 1;
+  return (p[axis] > v[axis]) == (s[axis] > v[axis]);
+}
+
+int compare_crossings(const Vec2& a, const Vec2& b, const Line& first, const Line& second) {
+  using Exact = CGAL::Exact_rational;
+  // The crossing's place on the edge is numerator / denominator; a translation by (1, 0) and (0, 1) adds the second and
+  // third number to the numerator.
+  struct Place {
+    std::array<Exact, 3> numerator;
+    Exact denominator;
+  };
+  const auto place = [&](const Line& line) {
+    const Exact dx = Exact(line.end.x()) - Exact(line.start.x());
+    const Exact dy = Exact(line.end.y()) - Exact(line.start.y());
+    const auto left_of = [&](const Vec2& node) -> Exact {
+      return dx * (Exact(node.y()) - Exact(line.start.y())) - dy * (Exact(node.x()) - Exact(line.start.x()));
+    };
+    const Exact at_a = left_of(a);
+    return Place{{at_a, dy, -dx}, at_a - left_of(b)};
+  };
+  const Place one = place(first);
+  const Place two = place(second);
+  const int flip = static_cast<int>(CGAL::sign(one.denominator)) * static_cast<int>(CGAL::sign(two.denominator));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Exact difference = one.numerator[k] * two.denominator - two.numerator[k] * one.denominator;
+    if (const int sign = static_cast<int>(CGAL::sign(difference)); sign != 0) return sign * flip;
+  }
+  return 0;
 }
 
 }  // namespace cleft::geometry

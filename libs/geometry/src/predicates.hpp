@@ -17,4 +17,16 @@ int shifted_side_of_edge(const Vec2& a, const Vec2& b, const Vec2& p);
 /// Whether two closed segments share a point; touching counts.
 bool segments_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
+/// Whether v-s runs back along p-v, its predecessor.
+bool folds_back(const Vec2& p, const Vec2& v, const Vec2& s);
+
+/// The straight line of a crack segment, directed.
+struct Line {
+  Vec2 start, end;
+};
+
+/// Order in which two crack lines, translated by the infinitesimal (e, e^2), cross the mesh edge a-b: -1 if `first` crosses
+/// nearer to `a`, +1 if `second` does, 0 if they cross at one point even so. Neither may be parallel to the edge.
+int compare_crossings(const Vec2& a, const Vec2& b, const Line& first, const Line& second);
+
 }  // namespace cleft::geometry

@@ -1,51 +1,49 @@
 #include "cleft/geometry/segment_grid.hpp"
 
-#include <algorithm>
+#include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace cleft::geometry {
 
 void SegmentGrid::build(std::span<const Vec2> starts, std::span<const Vec2> ends) {
-  nx_ = ny_ = 0;
-  if (starts.empty()) return;
-  Vec2 low = starts[0], high = starts[0];
-  double length = 0.0;
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    low = low.cwiseMin(starts[k]).cwiseMin(ends[k]);
-    high = high.cwiseMax(starts[k]).cwiseMax(ends[k]);
-    length += (ends[k] - starts[k]).norm();
-  }
-  // Cells about as large as a segment, but no more cells than a few per segment.
-  const auto count = static_cast<double>(starts.size());
-  const Vec2 extent = high - low;
-  const double least = std::sqrt(extent.x() * extent.y() / (4.0 * count)) + extent.maxCoeff() / (4.0 * count);
-  cell_ = std::max(length / count, least);
-  if (!(cell_ > 0.0) || !std::isfinite(cell_)) cell_ = 1.0;
-  origin_ = low;
-  nx_ = 1 + static_cast<int>(extent.x() / cell_);
-  ny_ = 1 + static_cast<int>(extent.y() / cell_);
+  assert(starts.size() == ends.size());
+  count_ = static_cast<Index>(starts.size());
+  items_.clear();
+  if (count_ == 0) return;
 
-  first_.assign(static_cast<std::size_t>(nx_) * ny_ + 1, 0);
-  const auto each = [&](auto&& put) {
+  low_ = high_ = starts[0];
+  double sum_of_squares = 0.0;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    low_ = low_.cwiseMin(starts[k]).cwiseMin(ends[k]);
+    high_ = high_.cwiseMax(starts[k]).cwiseMax(ends[k]);
+    sum_of_squares += (ends[k] - starts[k]).squaredNorm();
+  }
+  // With cells of the root mean square length the boxes of n segments cover O(n) cells in total, whatever their lengths.
+  // Points, or segments far smaller than their distances, get cells of which about one in eight is occupied.
+  const double n = count_;
+  const double spread = (high_ - low_).maxCoeff() / std::sqrt(8.0 * n);
+  const bool sparse = sum_of_squares / n < 1e-4 * spread * spread;
+  const double cell = sparse ? spread : std::sqrt(sum_of_squares / n);
+  per_length_ = cell > 0.0 && std::isfinite(1.0 / cell) ? 1.0 / cell : 0.0;
+
+  mask_ = std::bit_ceil(2 * static_cast<std::uint64_t>(count_)) - 1;
+  first_.assign(static_cast<std::size_t>(mask_) + 2, 0);
+  const auto for_each_bucket = [&](auto&& act) {
     for (std::size_t k = 0; k < starts.size(); ++k) {
-      const Range range = cells_of(starts[k].cwiseMin(ends[k]), starts[k].cwiseMax(ends[k]));
-      for (int y = range.y0; y <= range.y1; ++y)
-        for (int x = range.x0; x <= range.x1; ++x) put(y * nx_ + x, static_cast<Index>(k));
+      const Cells cells = cells_of(starts[k].cwiseMin(ends[k]), starts[k].cwiseMax(ends[k]));
+      for (std::int64_t j = cells.low[1]; j <= cells.high[1]; ++j) {
+        for (std::int64_t i = cells.low[0]; i <= cells.high[0]; ++i) act(bucket_of(i, j), static_cast<Index>(k));
+      }
     }
   };
-  each([&](int cell, Index) { ++first_[cell + 1]; });
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  items_.resize(first_.back());
-  fill_.assign(first_.begin(), first_.end() - 1);
-  each([&](int cell, Index k) { items_[fill_[cell]++] = k; });
-}
-
-SegmentGrid::Range SegmentGrid::cells_of(const Vec2& low, const Vec2& high) const {
-  const auto place = [&](double x, int count) {
-    return static_cast<int>(std::clamp(std::floor(x / cell_), 0.0, static_cast<double>(count - 1)));
-  };
-  return {place(low.x() - origin_.x(), nx_), place(high.x() - origin_.x(), nx_), place(low.y() - origin_.y(), ny_),
-          place(high.y() - origin_.y(), ny_)};
+  for_each_bucket([&](std::size_t bucket, Index) { ++first_[bucket + 1]; });
+  for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
+  items_.resize(static_cast<std::size_t>(first_.back()));
+  for_each_bucket([&](std::size_t bucket, Index k) { items_[static_cast<std::size_t>(first_[bucket]++)] = k; });
+  // Filling has moved every start to the next bucket's.
+  for (std::size_t b = first_.size() - 1; b > 0; --b) first_[b] = first_[b - 1];
+  first_[0] = 0;
 }
 
 }  // namespace cleft::geometry

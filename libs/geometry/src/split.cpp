@@ -29,7 +29,7 @@ Piece outline(const Mesh& mesh, Index t, const std::vector<Path>& paths) {
     const Vec2& end = mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>((k + 1) % 3)])];
     struct On {
       int id;
-      const Crossing* crossing;
+      const EdgeCrossing* crossing;
     };
     std::vector<On> on_edge;
     for (std::size_t p = 0; p < paths.size(); ++p) {

@@ -13,7 +13,7 @@ namespace cleft::geometry {
 /// A passage with its coordinates.
 struct Path {
   int in_edge, out_edge;         ///< local numbers of the triangle's edges
-  const Crossing *in, *out;
+  const EdgeCrossing *in, *out;
   std::vector<Vec2> kinks;       ///< between the two
 };
 

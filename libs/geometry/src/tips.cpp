@@ -13,7 +13,7 @@ namespace {
   throw InputError({}, crack.name, "is too short for the mesh to open; refine the mesh around it or make it longer");
 }
 
-const Crossing& at(const Trace& trace, int crossing) { return trace.crossings[static_cast<std::size_t>(crossing)]; }
+const EdgeCrossing& at(const Trace& trace, int crossing) { return trace.crossings[static_cast<std::size_t>(crossing)]; }
 
 // The way on must not run into the crack's own points ahead, which the check of the polyline could not see.
 void check_way_on(const Crack& crack, const Vec2& reached, int end) {
@@ -43,7 +43,7 @@ void drop_empty_passages(const Topology& topology, const Trace& trace, const Cra
   }
 }
 
-void settle_tip(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace, Chain& chain, int end) {
+void settle_tip(const Tracer& tracer, const Crack& crack, Trace& trace, Chain& chain, int end) {
   Passage& passage = end == 0 ? chain.passages.front() : chain.passages.back();
   const int inner = end == 0 ? passage.out : passage.in;
   const Tracer::Exit exit = tracer.lead_out(trace, passage.element, end);
@@ -80,7 +80,7 @@ bool divides(const Terrain& terrain, const Trace& trace, const Crack& crack, con
 void collect_tip_nodes(const Trace& trace, const Chain& chain, std::vector<Index>& tip_nodes) {
   for (const int end : {0, 1}) {
     if (chain.kind[static_cast<std::size_t>(end)] == CrackEnd::Kind::Mouth) continue;
-    const Crossing& last = at(trace, end == 0 ? chain.passages.front().in : chain.passages.back().out);
+    const EdgeCrossing& last = at(trace, end == 0 ? chain.passages.front().in : chain.passages.back().out);
     if (last.snapped_to != kNone) {
       tip_nodes.push_back(last.snapped_to);
     } else {
@@ -112,8 +112,8 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
     const bool closed_start = chain.kind[0] == CrackEnd::Kind::Tip;
     const bool closed_end = chain.kind[1] == CrackEnd::Kind::Tip;
     if (closed_start && closed_end && chain.passages.size() == 1) too_short(crack);
-    if (closed_start) settle_tip(terrain, tracer, crack, trace, chain, 0);
-    if (closed_end && !chain.passages.empty()) settle_tip(terrain, tracer, crack, trace, chain, 1);
+    if (closed_start) settle_tip(tracer, crack, trace, chain, 0);
+    if (closed_end && !chain.passages.empty()) settle_tip(tracer, crack, trace, chain, 1);
     if (closed_start) drop_empty_passages(terrain.topology, trace, crack, chain, 0);
     if (closed_end) drop_empty_passages(terrain.topology, trace, crack, chain, 1);
   }

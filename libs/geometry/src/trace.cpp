@@ -20,7 +20,7 @@ double Tracer::arc_length(const Vec2& point, int segment) const {
 int Tracer::leaving_edge(Index triangle, const Line& line, bool backward) const {
   const Topology& topology = terrain_.topology;
   std::array<int, 3> side{};
-  for (int k = 0; k < 3; ++k) side[static_cast<std::size_t>(k)] = side_of_line(line, topology.corner(triangle, k));
+  for (int k = 0; k < 3; ++k) side[static_cast<std::size_t>(k)] = side_of_shifted_line(line.start, line.end, topology.corner(triangle, k));
   const int from = backward ? 1 : -1;
   for (int k = 0; k < 3; ++k) {
     if (side[static_cast<std::size_t>(k)] == from && side[static_cast<std::size_t>((k + 1) % 3)] == -from) return k;
@@ -31,7 +31,7 @@ int Tracer::leaving_edge(Index triangle, const Line& line, bool backward) const 
 
 int Tracer::add_crossing(Trace& trace, TriangleEdge edge, int segment, bool on_boundary) const {
   const Topology& topology = terrain_.topology;
-  Crossing crossing;
+  EdgeCrossing crossing;
   const auto [low, high] = std::minmax({topology.node(edge.triangle, edge.local), topology.node(edge.triangle, edge.local + 1)});
   crossing.edge = {low, high};
   crossing.line = line(segment);
@@ -69,7 +69,7 @@ void Tracer::walk(Trace& trace, Chain& chain, Passage passage, int segment) cons
   while (true) {
     const int local = leaving_edge(passage.element, line(segment), false);
     const Vec2 &a = topology.corner(passage.element, local), &b = topology.corner(passage.element, local + 1);
-    if (side_of_edge(a, b, line(segment).end) > 0) {  // the segment ends in this triangle
+    if (shifted_side_of_edge(a, b, line(segment).end) > 0) {  // the segment ends in this triangle
       if (segment == last_segment()) break;
       ++segment;
       ++passage.last_kink;
@@ -106,7 +106,7 @@ bool Tracer::lead_to_boundary(Trace& trace, Chain& chain, int end) const {
     const Exit exit = lead_out(trace, passage.element, end);
     (end == 0 ? passage.in : passage.out) = exit.crossing;
     (end == 0 ? passage.in_edge : passage.out_edge) = exit.local_edge;
-    const Crossing& crossing = trace.crossings[static_cast<std::size_t>(exit.crossing)];
+    const EdgeCrossing& crossing = trace.crossings[static_cast<std::size_t>(exit.crossing)];
     if ((crossing.point - nominal).norm() > reach) {
       trace.crossings.resize(crossings);
       return false;
@@ -161,8 +161,8 @@ std::vector<Tracer::Entry> Tracer::entries() const {
     for (const Index k : near) {
       const TriangleEdge edge = terrain_.boundary[static_cast<std::size_t>(k)];
       const Vec2 &a = topology.corner(edge.triangle, edge.local), &b = topology.corner(edge.triangle, edge.local + 1);
-      if (side_of_edge(a, b, on.start) > 0 || side_of_edge(a, b, on.end) < 0) continue;
-      if (side_of_line(on, a) < 0 || side_of_line(on, b) > 0) continue;
+      if (shifted_side_of_edge(a, b, on.start) > 0 || shifted_side_of_edge(a, b, on.end) < 0) continue;
+      if (side_of_shifted_line(on.start, on.end, a) < 0 || side_of_shifted_line(on.start, on.end, b) > 0) continue;
       const double before = cross(b - a, on.start - a);
       const double after = cross(b - a, on.end - a);
       found.push_back({edge, segment, before == after ? 0.0 : before / (before - after)});

@@ -12,7 +12,7 @@
 namespace cleft::geometry {
 
 /// Where a crack crosses a mesh edge, once for both triangles of the edge.
-struct Crossing {
+struct EdgeCrossing {
   std::array<Index, 2> edge;  ///< its nodes, lower first
   Line line;                  ///< the crack segment
   Vec2 point;                 ///< metres, the node's own coordinates if snapped
@@ -36,7 +36,7 @@ struct Chain {
 };
 
 struct Trace {
-  std::vector<Crossing> crossings;
+  std::vector<EdgeCrossing> crossings;
   std::vector<Chain> chains;  ///< along the crack
 };
 

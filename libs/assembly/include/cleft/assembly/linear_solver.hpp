@@ -25,8 +25,10 @@ class LinearSolver {
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
-  /// Analyses the pattern. It is kept until the next call.
-  void analyse(const BlockMatrix& matrix);
+  /// Says that matrices have another pattern from now on, under a number of the caller's; it is analysed at the next
+  /// factorisation and the analysis kept until the next call.
+  void new_pattern(long number);
+  long pattern() const;
 
   /// Factorises the values. False if the matrix is singular or not finite.
   [[nodiscard]] bool factorise(const BlockMatrix& matrix);

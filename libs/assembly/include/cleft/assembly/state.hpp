@@ -1,0 +1,37 @@
+/// \file
+/// What is kept between increments.
+#pragma once
+
+#include "cleft/assembly/model.hpp"
+
+namespace cleft::assembly {
+
+/// Energies and works per unit thickness, J/m.
+struct Energies {
+  double elastic = 0.0;
+  double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
+  double friction_dissipation = 0.0;  ///< cumulative
+  double external_work = 0.0;         ///< cumulative
+  /// What the other entries leave unexplained; it falls with the size of the increments.
+  double imbalance() const { return external_work - elastic - contact - friction_dissipation; }
+};
+
+/// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
+struct State {
+  double load = 0.0;
+  VecX displacement;                     ///< metres, all components
+  std::vector<contact::Memory> contact;  ///< per contact point
+  double deepest = 0.0;                  ///< largest penetration so far, metres
+  Energies energies;
+  VecX prescribed_force;                 ///< force on the body at the constraints, N/m
+  double previous_load = 0.0;            ///< of the state before, for extrapolation; equal to `load` if there is none
+  VecX previous_displacement;
+};
+
+/// The body at rest: undeformed, crack faces closed and free of stress.
+State state_at_rest(const Model& model);
+
+/// Elastic energy of the bulk at given displacements, J/m. Needs det F > 0 everywhere.
+double elastic_energy(const Model& model, const VecX& displacement);
+
+}  // namespace cleft::assembly

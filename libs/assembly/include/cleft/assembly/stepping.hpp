@@ -1,0 +1,77 @@
+/// \file
+/// Adaptive load stepping.
+#pragma once
+
+#include "cleft/assembly/newton.hpp"
+
+namespace cleft::assembly {
+
+struct StepControls {
+  int steps = 50;               ///< equal increments from load 0 to 1
+  std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
+  double min_step = 1e-4;       ///< smallest increment of the load before the run is given up
+  NewtonControls newton;
+};
+
+/// What a converged increment leaves.
+struct Step {
+  int number = 0;               ///< from 1
+  double load = 0.0;
+  int cuts = 0;                 ///< attempts that failed before it converged
+  std::vector<Iteration> iterations;
+  double final_residual = 0.0;
+};
+
+/// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
+struct StepPlace {
+  int number = 0;
+  double step = 0.0;  ///< increment to try next
+};
+
+/// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to 1/steps,
+/// where it is easy. The loads k/steps and all outputs are hit exactly.
+class LoadStepper {
+ public:
+  /// `model` must outlive the stepper.
+  LoadStepper(const Model& model, StepControls controls);
+
+  bool done() const { return state_.load >= 1.0; }
+
+  /// One converged increment, or the failure that ends the run (the state then stays at what converged last).
+  std::variant<Step, Failure> advance(const IterationObserver& observer = {});
+
+  const Model& model() const { return model_; }
+  const State& state() const { return state_; }
+  const std::vector<Constraint>& constraints() const { return constraints_; }
+  /// Pairs of the last converged increment, with tractions and gaps; memory in `state()` is already that of the next.
+  const std::vector<contact::Pair>& pairs() const { return pairs_; }
+  const contact::FacePositions& face_positions() const { return assembler_.face_positions(); }
+  const Assembler& assembler() const { return assembler_; }
+  const LinearSolver& solver() const { return solver_; }
+  StepPlace place() const { return place_; }
+
+  /// Goes on from what an earlier run kept.
+  void restore(State state, StepPlace place, ContactRoom room);
+
+  /// Force on the body (N/m) through each prescribed boundary of the model, in its order.
+  std::vector<Vec2> reactions() const;
+
+  /// Whether symmetric factorisation is allowed: no contact.
+  static Factorisation factorisation_for(const Model& model);
+
+ private:
+  double next_target() const;
+  void commit(double load, const Increment& increment);
+
+  const Model& model_;
+  StepControls controls_;
+  std::vector<Constraint> constraints_;
+  std::vector<double> targets_;
+  Assembler assembler_;
+  LinearSolver solver_;
+  State state_;
+  StepPlace place_;
+  std::vector<contact::Pair> pairs_;
+};
+
+}  // namespace cleft::assembly

@@ -1,0 +1,166 @@
+#include "cleft/assembly/newton.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cleft::assembly {
+namespace {
+
+// Extrapolation pays only while the boundary goes on as before.
+constexpr double kSameWay = 0.5;
+
+void predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
+  const double before = state.load - state.previous_load;
+  if (!(before > 0.0)) return;
+  const VecX guess = state.displacement + ((load - state.load) / before) * (state.displacement - state.previous_displacement);
+  double missed = 0.0, moved = 0.0;
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    const Index c = constraints[k].component;
+    missed = std::max(missed, std::fabs(target[k] - guess[c]));
+    moved = std::max(moved, std::fabs(target[k] - state.displacement[c]));
+  }
+  if (missed <= kSameWay * moved) u = guess;
+}
+
+// Replaces the equations of prescribed components by du = change.
+void constrain(const std::vector<Constraint>& constraints, const VecX& change, double diagonal, BlockMatrix& matrix, VecX& rhs) {
+  const bool moves = change.size() > 0 && change.cwiseAbs().maxCoeff() > 0.0;
+  if (moves) {
+    VecX full = VecX::Zero(rhs.size());
+    for (std::size_t k = 0; k < constraints.size(); ++k) full[constraints[k].component] = change[k];
+    rhs -= matrix.multiply(full);
+  }
+  auto values = matrix.values();
+  for (std::size_t k = 0; k < constraints.size(); ++k) {
+    const Index c = constraints[k].component, block = c / 2, direction = c % 2;
+    for (const Index row : matrix.block_rows(block)) {
+      const auto down = matrix.find(row, block), across = matrix.find(block, row);
+      for (int i = 0; i < 2; ++i) {
+        values[down.start + direction * down.stride + i] = 0.0;
+        values[across.start + i * across.stride + direction] = 0.0;
+      }
+    }
+    const auto own = matrix.find(block, block);
+    values[own.start + direction * own.stride + direction] = diagonal;
+    rhs[c] = diagonal * change[k];
+  }
+}
+
+struct ContactTally {
+  std::vector<Index> partner;
+  std::vector<contact::Status> status;
+};
+
+void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteration& out) {
+  const bool first = last.partner.size() != pairs.size();
+  last.partner.resize(pairs.size(), kNone);
+  last.status.resize(pairs.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (!first && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
+    if (!first && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
+    last.partner[p] = pairs[p].partner_face;
+    last.status[p] = pairs[p].state.traction.status;
+  }
+}
+
+}  // namespace
+
+double rounding_floor(const Model& model, const VecX& displacement) {
+  // Components of F carry errors of the size eps (1 + |u| / h), which the modulus turns into stress, and the stress of each
+  // element into forces; independent errors add up in squares.
+  constexpr double kSafety = 16.0;
+  const double reach = displacement.cwiseAbs().maxCoeff();
+  double sum = 0.0;
+  for (const auto& cell : model.cells)
+    for (const auto& g : cell.gradient) {
+      const double steep = g.norm();
+      const double force = cell.area * steep * (1.0 + reach * steep);
+      sum += force * force;
+    }
+  return kSafety * std::numeric_limits<double>::epsilon() * constitutive::uniaxial_strain_modulus(model.constants()) *
+         std::sqrt(sum);
+}
+
+Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state, double load,
+                          const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+                          const IterationObserver& observer) {
+  Increment out;
+  const VecX target = prescribed_values(model, constraints, load);
+  const VecX dead = dead_force(model, load);
+  const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
+  VecX& u = out.displacement;
+  u = state.displacement;
+  if (controls.extrapolate) predict(state, constraints, target, load, u);
+  VecX change(target.size());
+  for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
+
+  ContactTally last;
+  double correction = std::numeric_limits<double>::infinity();
+  double first_residual = 0.0;
+  for (int i = 0;; ++i) {
+    Iteration it;
+    const auto seconds = [&] {
+      const auto& s = assembler.seconds();
+      return s.bulk + s.contact + s.pattern;
+    };
+    const double assembly_before = seconds();
+    if (auto failure = assembler.assemble(u, state.contact, state.deepest)) {
+      out.failure = failure;
+      return out;
+    }
+    it.assembly_seconds = seconds() - assembly_before;
+    tally(assembler.pairs(), last, it);
+
+    VecX rhs = dead - assembler.internal_force();
+    double reactions = 0.0;
+    for (const auto& c : constraints) {
+      reactions += rhs[c.component] * rhs[c.component];
+      rhs[c.component] = 0.0;
+    }
+    const double scale = std::max({std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()});
+    const double floor = rounding_floor(model, u);
+    const double residual = rhs.norm();
+    it.residual = residual <= floor ? 0.0 : residual / scale;
+    const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
+    if (in_place && (residual <= floor || (it.residual <= controls.residual_tolerance &&
+                                           correction <= controls.correction_tolerance))) {
+      out.final_residual = it.residual;
+      return out;
+    }
+    if (i == 0) first_residual = residual;
+    if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
+      out.failure = Failure{FailureKind::NoConvergence,
+                            fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
+                            "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
+      return out;
+    }
+
+    constrain(constraints, change, modulus, assembler.matrix(), rhs);
+    if (solver.pattern() != assembler.pattern_version()) solver.new_pattern(assembler.pattern_version());
+    const auto& s = solver.seconds();
+    const double before = s.analyse + s.factorise + s.solve;
+    VecX du;
+    const bool regular = solver.factorise(assembler.matrix());
+    if (regular) du = solver.solve(assembler.matrix(), rhs);
+    it.factor_seconds = s.analyse + s.factorise + s.solve - before;
+    if (!regular || !du.allFinite()) {
+      out.failure = Failure{regular ? FailureKind::NotFinite : FailureKind::Singular, "",
+                            "are all parts of the body held? prescribe more components, or bring the parts into contact"};
+      return out;
+    }
+    u += du;
+    for (std::size_t k = 0; k < constraints.size(); ++k) u[constraints[k].component] = target[k];
+    change.setZero();
+    const double moved = (u - state.displacement).cwiseAbs().maxCoeff();
+    correction = moved > 0.0 ? du.cwiseAbs().maxCoeff() / moved : 0.0;
+    it.correction = correction;
+    it.energy = std::fabs(rhs.dot(du));
+    out.iterations.push_back(it);
+    if (observer) observer(i + 1, it);
+  }
+}
+
+}  // namespace cleft::assembly
