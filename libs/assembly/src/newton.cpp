@@ -123,7 +123,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double scale = std::max({std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()});
     const double floor = rounding_floor(model, u);
     const double residual = rhs.norm();
-    it.residual = residual <= floor ? 0.0 : residual / scale;
+    it.residual = scale > 0.0 ? residual / scale : 0.0;
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
     if (in_place && (residual <= floor || (it.residual <= controls.residual_tolerance &&
                                            correction <= controls.correction_tolerance))) {

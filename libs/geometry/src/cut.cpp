@@ -58,7 +58,7 @@ class Cutter {
         }
         paths[static_cast<std::size_t>(cut) - first].push_back(
             {passage.in_edge, passage.out_edge, &trace.crossings[static_cast<std::size_t>(passage.in)],
-             &trace.crossings[static_cast<std::size_t>(passage.out)], kinks_of(terrain_.topology, crack, passage)});
+             &trace.crossings[static_cast<std::size_t>(passage.out)], kinks_of(terrain_.topology, trace, crack, passage)});
       }
     }
     for (std::size_t e = first; e < result.elements.size(); ++e) {
@@ -127,7 +127,7 @@ class Cutter {
           from = to;
           s = s_to;
         };
-        const std::vector<Vec2> kinks = kinks_of(terrain_.topology, crack, passage);
+        const std::vector<Vec2> kinks = kinks_of(terrain_.topology, trace, crack, passage);
         for (std::size_t k = 0; k < kinks.size(); ++k) {
           const int point = passage.first_kink + static_cast<int>(k);
           go_to(kinks[k], tracer.arc_length(crack.points[static_cast<std::size_t>(point)], point - 1));

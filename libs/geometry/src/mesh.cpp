@@ -52,6 +52,7 @@ std::vector<Index> boundary_nodes(const Mesh& mesh, const std::string& name) {
 }
 
 std::vector<Index> nodes_in_box(const Mesh& mesh, const std::array<double, 4>& box) {
+  if (mesh.nodes.empty()) return {};
   Vec2 low = mesh.nodes.front(), high = low;
   for (const Vec2& x : mesh.nodes) {
     low = low.cwiseMin(x);

@@ -52,25 +52,37 @@ bool folds_back(const Vec2& p, const Vec2& v, const Vec2& s) {
   return (p[axis] > v[axis]) == (s[axis] > v[axis]);
 }
 
+namespace {
+
+using Exact = CGAL::Exact_rational;
+
+// The crossing's place on the edge is numerator / denominator; a translation by (1, 0) and (0, 1) adds the second and
+// third number to the numerator.
+struct Place {
+  std::array<Exact, 3> numerator;
+  Exact denominator;
+};
+
+Place exact_place(const Vec2& a, const Vec2& b, const Line& line) {
+  const Exact dx = Exact(line.end.x()) - Exact(line.start.x());
+  const Exact dy = Exact(line.end.y()) - Exact(line.start.y());
+  const auto left_of = [&](const Vec2& node) -> Exact {
+    return dx * (Exact(node.y()) - Exact(line.start.y())) - dy * (Exact(node.x()) - Exact(line.start.x()));
+  };
+  const Exact at_a = left_of(a);
+  return {{at_a, dy, -dx}, at_a - left_of(b)};
+}
+
+}  // namespace
+
+double crossing_place(const Vec2& a, const Vec2& b, const Line& line) {
+  const Place place = exact_place(a, b, line);
+  return CGAL::to_double(Exact(place.numerator[0] / place.denominator));
+}
+
 int compare_crossings(const Vec2& a, const Vec2& b, const Line& first, const Line& second) {
-  using Exact = CGAL::Exact_rational;
-  // The crossing's place on the edge is numerator / denominator; a translation by (1, 0) and (0, 1) adds the second and
-  // third number to the numerator.
-  struct Place {
-    std::array<Exact, 3> numerator;
-    Exact denominator;
-  };
-  const auto place = [&](const Line& line) {
-    const Exact dx = Exact(line.end.x()) - Exact(line.start.x());
-    const Exact dy = Exact(line.end.y()) - Exact(line.start.y());
-    const auto left_of = [&](const Vec2& node) -> Exact {
-      return dx * (Exact(node.y()) - Exact(line.start.y())) - dy * (Exact(node.x()) - Exact(line.start.x()));
-    };
-    const Exact at_a = left_of(a);
-    return Place{{at_a, dy, -dx}, at_a - left_of(b)};
-  };
-  const Place one = place(first);
-  const Place two = place(second);
+  const Place one = exact_place(a, b, first);
+  const Place two = exact_place(a, b, second);
   const int flip = static_cast<int>(CGAL::sign(one.denominator)) * static_cast<int>(CGAL::sign(two.denominator));
   for (std::size_t k = 0; k < 3; ++k) {
     const Exact difference = one.numerator[k] * two.denominator - two.numerator[k] * one.denominator;

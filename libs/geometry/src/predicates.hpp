@@ -25,6 +25,9 @@ struct Line {
   Vec2 start, end;
 };
 
+/// Where the line meets the mesh edge a-b: 0 at `a`, 1 at `b`, rounded only once. They may not be parallel.
+double crossing_place(const Vec2& a, const Vec2& b, const Line& line);
+
 /// Order in which two crack lines, translated by the infinitesimal (e, e^2), cross the mesh edge a-b: -1 if `first` crosses
 /// nearer to `a`, +1 if `second` does, 0 if they cross at one point even so. Neither may be parallel to the edge.
 int compare_crossings(const Vec2& a, const Vec2& b, const Line& first, const Line& second);

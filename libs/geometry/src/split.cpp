@@ -87,6 +87,12 @@ std::vector<Vec2> polygon_of(const Piece& piece) {
   return polygon;
 }
 
+std::array<Vec2, 3> whole_triangle(const Mesh& mesh, Index t) {
+  std::array<Vec2, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.nodes[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][k])];
+  return corners;
+}
+
 // Areas below rounding count as none: a crack along an edge takes nothing from the triangle.
 constexpr double kNoArea = 1e-14;
 
@@ -113,19 +119,18 @@ std::optional<Division> divide(const Mesh& mesh, Index t, const std::vector<Path
       if (corner.id >= 0 && corner.id < 3) division.node_side[static_cast<std::size_t>(corner.id)] = *side;
     }
     const std::vector<Vec2> polygon = polygon_of(piece);
-    const double area = 0.5 * twice_polygon_area(polygon);
-    if (area <= kNoArea * total) continue;
     const auto s = static_cast<std::size_t>(*side);
-    division.area[s] += area;
+    division.area[s] += 0.5 * twice_polygon_area(polygon);
     triangulate(polygon, 1e-16 * total, division.sub_triangles[s]);
   }
   // The smaller area is the more accurate one; the other follows, so that they add up.
-  auto& [right, left] = division.area;
-  if (right < left) {
-    left = total - right;
-  } else {
-    right = total - left;
+  const std::size_t small = division.area[0] < division.area[1] ? 0 : 1;
+  if (division.area[small] <= kNoArea * total) {  // below 0 where snapping has turned a sliver inside out
+    division.area[small] = 0.0;
+    division.sub_triangles[small].clear();
+    division.sub_triangles[1 - small] = {whole_triangle(mesh, t)};
   }
+  division.area[1 - small] = total - division.area[small];
   return division;
 }
 

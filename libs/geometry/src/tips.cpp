@@ -31,7 +31,7 @@ void check_way_on(const Crack& crack, const Vec2& reached, int end) {
 bool has_length(const Topology& topology, const Trace& trace, const Crack& crack, const Passage& passage) {
   const Vec2& start = at(trace, passage.in).point;
   const auto moved = [&](const Vec2& point) { return point != start; };
-  const auto kinks = kinks_of(topology, crack, passage);
+  const auto kinks = kinks_of(topology, trace, crack, passage);
   return moved(at(trace, passage.out).point) || std::any_of(kinks.begin(), kinks.end(), moved);
 }
 
@@ -43,14 +43,15 @@ void drop_empty_passages(const Topology& topology, const Trace& trace, const Cra
   }
 }
 
-void settle_tip(const Tracer& tracer, const Crack& crack, Trace& trace, Chain& chain, int end) {
+void settle_tip(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace, Chain& chain, int end) {
   Passage& passage = end == 0 ? chain.passages.front() : chain.passages.back();
   const int inner = end == 0 ? passage.out : passage.in;
   const Tracer::Exit exit = tracer.lead_out(trace, passage.element, end);
   const double nominal = end == 0 ? 0.0 : tracer.length();
   const double back = std::abs(at(trace, inner).s - nominal);
   const double on = std::abs(at(trace, exit.crossing).s - nominal);
-  if (on < back * (1.0 - 1e-9)) {
+  // Without the margin rounding would choose where both are equally near, as at a node, and the choice depend on direction.
+  if (on < back - 1e-9 * terrain.topology.size(passage.element)) {
     check_way_on(crack, at(trace, exit.crossing).point, end);
     (end == 0 ? passage.in : passage.out) = exit.crossing;
     (end == 0 ? passage.in_edge : passage.out_edge) = exit.local_edge;
@@ -91,14 +92,17 @@ void collect_tip_nodes(const Trace& trace, const Chain& chain, std::vector<Index
 
 }  // namespace
 
-std::vector<Vec2> kinks_of(const Topology& topology, const Crack& crack, const Passage& passage) {
+std::vector<Vec2> kinks_of(const Topology& topology, const Trace& trace, const Crack& crack, const Passage& passage) {
   std::vector<Vec2> kinks(crack.points.begin() + passage.first_kink, crack.points.begin() + passage.last_kink);
   if (kinks.empty()) return kinks;
-  const double reach = kSnap * topology.size(passage.element);
+  const double size = topology.size(passage.element);
   for (Vec2& kink : kinks) {
+    for (const int crossing : {passage.in, passage.out}) {
+      if (crossing >= 0 && (kink - at(trace, crossing).point).norm() <= kSamePoint * size) kink = at(trace, crossing).point;
+    }
     for (int k = 0; k < 3; ++k) {
       const Vec2& node = topology.corner(passage.element, k);
-      if ((kink - node).norm() <= reach) kink = node;
+      if ((kink - node).norm() <= kSnap * size) kink = node;
     }
   }
   return kinks;
@@ -112,8 +116,8 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
     const bool closed_start = chain.kind[0] == CrackEnd::Kind::Tip;
     const bool closed_end = chain.kind[1] == CrackEnd::Kind::Tip;
     if (closed_start && closed_end && chain.passages.size() == 1) too_short(crack);
-    if (closed_start) settle_tip(tracer, crack, trace, chain, 0);
-    if (closed_end && !chain.passages.empty()) settle_tip(tracer, crack, trace, chain, 1);
+    if (closed_start) settle_tip(terrain, tracer, crack, trace, chain, 0);
+    if (closed_end && !chain.passages.empty()) settle_tip(terrain, tracer, crack, trace, chain, 1);
     if (closed_start) drop_empty_passages(terrain.topology, trace, crack, chain, 0);
     if (closed_end) drop_empty_passages(terrain.topology, trace, crack, chain, 1);
   }

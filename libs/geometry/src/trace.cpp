@@ -42,9 +42,9 @@ int Tracer::add_crossing(Trace& trace, TriangleEdge edge, int segment, bool on_b
   const Vec2 along = crossing.line.end - start;
   const double at_a = cross(along, a - start);
   const double at_b = cross(along, b - start);
-  // Where the line runs along the edge, rounding may spoil the quotient: any point of the edge is right then.
-  const double quotient = at_a / (at_a - at_b);
-  const double fraction = std::isfinite(quotient) ? std::clamp(quotient, 0.0, 1.0) : 0.5;
+  // Where the line runs nearly along the edge, rounding would spoil the quotient.
+  const bool steep = std::abs(at_a - at_b) > 1e-4 * along.norm() * (b - a).norm();
+  const double fraction = std::clamp(steep ? at_a / (at_a - at_b) : crossing_place(a, b, crossing.line), 0.0, 1.0);
   if (fraction <= kSnap) {
     crossing.snapped_to = low;
     crossing.point = a;
@@ -53,9 +53,10 @@ int Tracer::add_crossing(Trace& trace, TriangleEdge edge, int segment, bool on_b
     crossing.point = b;
   } else {
     crossing.point = a + fraction * (b - a);
-    // A crack's point on an edge is the crossing; a segment as long as the rounding error would help nobody.
-    for (const Vec2& vertex : {crossing.line.start, crossing.line.end}) {
-      if ((crossing.point - vertex).norm() <= 1e-12 * (b - a).norm()) crossing.point = vertex;
+    // Two segments that meet on the edge cross it at one point, not at two that rounding has set apart.
+    if (!trace.crossings.empty()) {
+      const EdgeCrossing& last = trace.crossings.back();
+      if (last.edge == crossing.edge && (last.point - crossing.point).norm() <= kSamePoint * (b - a).norm()) crossing.point = last.point;
     }
   }
   crossing.s = arc_length(crossing.point, segment);

@@ -11,6 +11,9 @@
 
 namespace cleft::geometry {
 
+/// Points nearer to each other than this fraction of an edge are one and differ by rounding only.
+inline constexpr double kSamePoint = 1e-12;
+
 /// Where a crack crosses a mesh edge, once for both triangles of the edge.
 struct EdgeCrossing {
   std::array<Index, 2> edge;  ///< its nodes, lower first

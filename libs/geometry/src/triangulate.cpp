@@ -29,26 +29,37 @@ class EarClipper {
   const Vec2& after(std::size_t k) const { return polygon_[k + 1 == polygon_.size() ? 0 : k + 1]; }
   double twice_area(std::size_t k) const { return cross(polygon_[k] - before(k), after(k) - before(k)); }
 
-  bool is_ear(std::size_t k) const {
+  bool is_ear(std::size_t k, double slack) const {
     const Vec2 &a = before(k), &b = polygon_[k], &c = after(k);
     for (const Vec2& p : polygon_) {
       if (p == a || p == b || p == c) continue;
-      if (cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0) return false;
+      if (cross(b - a, p - a) >= -slack && cross(c - b, p - b) >= -slack && cross(a - c, p - c) >= -slack) return false;
     }
     return true;
   }
 
-  // Corners on a straight line go first: they take no area with them. Among ears the largest is taken. Rounding may leave a
-  // polygon without any ear, then the most convex corner is as good as any.
+  std::size_t largest_ear(double slack) const {
+    std::size_t ear = polygon_.size();
+    for (std::size_t k = 0; k < polygon_.size(); ++k) {
+      const double area = twice_area(k);
+      if (area > 0.0 && (ear == polygon_.size() || area > twice_area(ear)) && is_ear(k, slack)) ear = k;
+    }
+    return ear;
+  }
+
+  // Corners on a straight line go first: they take no area with them. Corners that touch an ear within rounding forbid it if
+  // there is another. Rounding may leave a polygon without any ear, then the most convex corner is as good as any.
   std::size_t next() const {
-    std::size_t ear = polygon_.size(), convex = 0;
+    std::size_t convex = 0;
     for (std::size_t k = 0; k < polygon_.size(); ++k) {
       const double area = twice_area(k);
       if (std::abs(area) <= negligible_) return k;
       if (area > twice_area(convex)) convex = k;
-      if (area > 0.0 && (ear == polygon_.size() || area > twice_area(ear)) && is_ear(k)) ear = k;
     }
-    return ear < polygon_.size() ? ear : convex;
+    for (const double slack : {1e4 * negligible_, 0.0}) {
+      if (const std::size_t ear = largest_ear(slack); ear < polygon_.size()) return ear;
+    }
+    return convex;
   }
 
   std::vector<Vec2> polygon_;
@@ -58,6 +69,17 @@ class EarClipper {
 }  // namespace
 
 void triangulate(std::vector<Vec2> polygon, double negligible, std::vector<std::array<Vec2, 3>>& triangles) {
+  // Where the polygon touches itself at a corner it is two polygons.
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    for (std::size_t j = i + 1; j < polygon.size(); ++j) {
+      if (polygon[i] != polygon[j]) continue;
+      const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i), last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
+      triangulate({first, last}, negligible, triangles);
+      polygon.erase(first, last);
+      triangulate(std::move(polygon), negligible, triangles);
+      return;
+    }
+  }
   EarClipper(std::move(polygon), negligible).run(triangles);
 }
 

@@ -1,0 +1,63 @@
+# cleft_library(NAME DEPENDS lower... PUBLIC imported... PRIVATE imported... [TEST imported...])
+#
+# Declares the library libs/NAME: cleft::NAME from src/, its tests and its benchmarks. Arrows between libraries point downward
+# only: a dependency that the table below does not allow is an error.
+
+set(CLEFT_ARROWS_support "")
+set(CLEFT_ARROWS_geometry support)
+set(CLEFT_ARROWS_enrichment support geometry)
+set(CLEFT_ARROWS_constitutive support)
+set(CLEFT_ARROWS_contact support geometry enrichment)
+set(CLEFT_ARROWS_assembly support geometry enrichment constitutive contact)
+set(CLEFT_ARROWS_scene support geometry enrichment constitutive contact assembly)
+
+function(cleft_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${CLEFT_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+function(cleft_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST")
+  if(NOT DEFINED CLEFT_ARROWS_${name})
+    message(FATAL_ERROR "cleft_library: '${name}' is not in the table of libraries")
+  endif()
+  foreach(lower IN LISTS arg_DEPENDS)
+    if(NOT lower IN_LIST CLEFT_ARROWS_${name})
+      message(FATAL_ERROR "cleft_library: '${name}' may not depend on '${lower}'; allowed: ${CLEFT_ARROWS_${name}}")
+    endif()
+  endforeach()
+
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
+  add_library(cleft_${name} STATIC ${sources})
+  add_library(cleft::${name} ALIAS cleft_${name})
+  set_target_properties(cleft_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(cleft_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                                  $<INSTALL_INTERFACE:include>)
+  list(TRANSFORM arg_DEPENDS PREPEND cleft::)
+  target_link_libraries(cleft_${name} PUBLIC ${arg_DEPENDS} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  cleft_compile_options(cleft_${name})
+  install(TARGETS cleft_${name} EXPORT cleft-targets)
+  install(DIRECTORY include/ DESTINATION include)
+
+  cleft_tests(${name} LINK cleft::${name} ${arg_TEST})
+  file(GLOB benchmarks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/*.cpp)
+  if(benchmarks AND CLEFT_BENCHMARKS)
+    add_executable(bench_${name} ${benchmarks})
+    target_link_libraries(bench_${name} PRIVATE cleft::${name} benchmark::benchmark_main)
+    cleft_compile_options(bench_${name})
+  endif()
+endfunction()
+
+# cleft_tests(NAME LINK target...): the test program test_NAME from tests/*.cpp, each test known to CTest.
+function(cleft_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
+  if(NOT tests OR NOT BUILD_TESTING)
+    return()
+  endif()
+  add_executable(test_${name} ${tests})
+  target_include_directories(test_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_link_libraries(test_${name} PRIVATE ${arg_LINK} GTest::gtest_main)
+  cleft_compile_options(test_${name})
+  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+endfunction()
