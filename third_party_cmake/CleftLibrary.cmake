@@ -1,63 +1,55 @@
-# cleft_library(NAME DEPENDS lower... PUBLIC imported... PRIVATE imported... [TEST imported...])
+# cleft_library(NAME
+#   DEPENDS <libraries of cleft below this one>
+#   PUBLIC  <imported targets that its headers need>
+#   PRIVATE <imported targets that only its sources need>
+#   TEST    <imported targets that only its tests and benchmarks need>)
 #
-# Declares the library libs/NAME: cleft::NAME from src/, its tests and its benchmarks. Arrows between libraries point downward
-# only: a dependency that the table below does not allow is an error.
+# declares library NAME in the folder libs/NAME, with its include/, src/, tests/ and benchmarks/:
+#   cleft_NAME, alias cleft::NAME   static library (interface library without sources), installed and exported
+#   test_NAME                       tests, if CLEFT_TESTS; they see src/ as well, for the private headers
+#   bench_NAME                      benchmarks, if CLEFT_BENCHMARKS
+# A dependency outside the table of CleftArrows.cmake stops the configuration.
 
-set(CLEFT_ARROWS_support "")
-set(CLEFT_ARROWS_geometry support)
-set(CLEFT_ARROWS_enrichment support geometry)
-set(CLEFT_ARROWS_constitutive support)
-set(CLEFT_ARROWS_contact support geometry enrichment)
-set(CLEFT_ARROWS_assembly support geometry enrichment constitutive contact)
-set(CLEFT_ARROWS_scene support geometry enrichment constitutive contact assembly)
-
-function(cleft_compile_options target)
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow $<$<BOOL:${CLEFT_WARNINGS_AS_ERRORS}>:-Werror>)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/CleftArrows.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/CleftTarget.cmake)
 
 function(cleft_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST")
-  if(NOT DEFINED CLEFT_ARROWS_${name})
-    message(FATAL_ERROR "cleft_library: '${name}' is not in the table of libraries")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "cleft_library: ${name}: unknown argument ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  foreach(lower IN LISTS arg_DEPENDS)
-    if(NOT lower IN_LIST CLEFT_ARROWS_${name})
-      message(FATAL_ERROR "cleft_library: '${name}' may not depend on '${lower}'; allowed: ${CLEFT_ARROWS_${name}}")
-    endif()
-  endforeach()
+  cleft_check_arrows(${name} ${arg_DEPENDS})
+  set_property(GLOBAL PROPERTY CLEFT_DEPENDS_${name} "${arg_DEPENDS}")
 
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
-  add_library(cleft_${name} STATIC ${sources})
-  add_library(cleft::${name} ALIAS cleft_${name})
-  set_target_properties(cleft_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_include_directories(cleft_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
-                                                  $<INSTALL_INTERFACE:include>)
-  list(TRANSFORM arg_DEPENDS PREPEND cleft::)
-  target_link_libraries(cleft_${name} PUBLIC ${arg_DEPENDS} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  cleft_compile_options(cleft_${name})
-  install(TARGETS cleft_${name} EXPORT cleft-targets)
-  install(DIRECTORY include/ DESTINATION include)
-
-  cleft_tests(${name} LINK cleft::${name} ${arg_TEST})
-  file(GLOB benchmarks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/benchmarks/*.cpp)
-  if(benchmarks AND CLEFT_BENCHMARKS)
-    add_executable(bench_${name} ${benchmarks})
-    target_link_libraries(bench_${name} PRIVATE cleft::${name} benchmark::benchmark_main)
-    cleft_compile_options(bench_${name})
+  set(here ${CMAKE_CURRENT_SOURCE_DIR})
+  set(library cleft_${name})
+  list(TRANSFORM arg_DEPENDS PREPEND cleft:: OUTPUT_VARIABLE lower)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${here}/src/*.cpp)
+  if(sources)
+    add_library(${library} STATIC ${sources})
+    cleft_target_defaults(${library})
+    target_link_libraries(${library} PRIVATE ${arg_PRIVATE})
+    set(scope PUBLIC)
+  else()
+    add_library(${library} INTERFACE)
+    set(scope INTERFACE)
   endif()
-endfunction()
+  add_library(cleft::${name} ALIAS ${library})
+  target_include_directories(${library} ${scope} $<BUILD_INTERFACE:${here}/include>)
+  target_link_libraries(${library} ${scope} ${lower} ${arg_PUBLIC})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
 
-# cleft_tests(NAME LINK target...): the test program test_NAME from tests/*.cpp, each test known to CTest.
-function(cleft_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
-  file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
-  if(NOT tests OR NOT BUILD_TESTING)
-    return()
+  install(TARGETS ${library} EXPORT cleft ARCHIVE INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(EXISTS ${here}/include)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   endif()
-  add_executable(test_${name} ${tests})
-  target_include_directories(test_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
-  target_link_libraries(test_${name} PRIVATE ${arg_LINK} GTest::gtest_main)
-  cleft_compile_options(test_${name})
-  gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+
+  cleft_tests(test_${name} ${here}/tests ${name} cleft::${name} ${arg_TEST})
+  if(TARGET test_${name})
+    target_include_directories(test_${name} PRIVATE ${here}/src)
+  endif()
+  if(CLEFT_BENCHMARKS)
+    cleft_executable(bench_${name} ${here}/benchmarks benchmarks
+      cleft::${name} ${arg_TEST} benchmark::benchmark_main)
+  endif()
 endfunction()

@@ -121,8 +121,12 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
     if (closed_start) drop_empty_passages(terrain.topology, trace, crack, chain, 0);
     if (closed_end) drop_empty_passages(terrain.topology, trace, crack, chain, 1);
   }
-  std::erase_if(trace.chains, [&](const Chain& chain) { return !divides(terrain, trace, crack, chain); });
+  std::erase_if(trace.chains, [](const Chain& chain) { return chain.passages.empty(); });
   if (trace.chains.empty()) too_short(crack);
+  std::erase_if(trace.chains, [&](const Chain& chain) { return !divides(terrain, trace, crack, chain); });
+  if (trace.chains.empty()) {
+    throw InputError({}, crack.name, "lies outside of the body: it only touches the boundary or runs along it; at least a part of a crack must be inside");
+  }
   for (const Chain& chain : trace.chains) collect_tip_nodes(trace, chain, tip_nodes);
 }
 

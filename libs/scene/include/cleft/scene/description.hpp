@@ -1,0 +1,124 @@
+/// \file
+/// A scene as its file describes it, with defaults filled in. SI units.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cleft/contact/surfaces.hpp"
+#include "cleft/geometry/mesh.hpp"
+#include "cleft/support/error.hpp"
+
+namespace cleft::scene {
+
+struct MeshSpec {
+  Location at;
+  std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, metres
+  std::array<int, 2> cells{};
+  geometry::Diagonal diagonal = geometry::Diagonal::Right;
+};
+
+struct MaterialSpec {
+  std::string model;  ///< hencky | neo-hookean
+  double young = 0.0;  ///< Pa
+  double poisson = 0.0;
+};
+
+struct CrackSpec {
+  Location at;
+  std::string name;
+  std::vector<Vec2> points;  ///< metres; empty for a sine curve
+  struct Sine {
+    Vec2 start, end;
+    double amplitude = 0.0, periods = 1.0;
+  };
+  std::optional<Sine> sine;
+  contact::NegativeSide negative_side = contact::NegativeSide::Right;
+  double friction = 0.0;
+  std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
+};
+
+/// Piecewise linear factor of the load, constant beyond its ends.
+struct Amplitude {
+  std::vector<std::array<double, 2>> points{{0.0, 0.0}, {1.0, 1.0}};  ///< load, factor
+  double operator()(double load) const;
+};
+
+/// A registered field and its parameters.
+struct FieldSpec {
+  Location at;
+  std::string name;
+  std::map<std::string, double> parameters;
+};
+
+struct BoundarySpec {
+  Location at;
+  std::string name;
+  std::string on;                            ///< named part of the boundary, or empty for a box of nodes
+  std::optional<std::array<double, 4>> box;  ///< xmin, ymin, xmax, ymax
+  std::optional<double> ux, uy;              ///< metres at factor 1
+  std::optional<Mat2> affine;                ///< u = A X
+  std::optional<FieldSpec> field;
+  struct Rotation {
+    Vec2 center = Vec2::Zero();
+    double degrees = 0.0;
+    Amplitude amplitude;
+  };
+  std::optional<Rotation> rotation;  ///< rigid, of the displaced points
+  Amplitude amplitude;
+  std::array<bool, 2> components() const;
+};
+
+struct TractionSpec {
+  Location at;
+  std::string on;
+  Vec2 value = Vec2::Zero();  ///< Pa, dead, per reference area
+  Amplitude amplitude;
+};
+
+struct GravitySpec {
+  Vec2 value = Vec2::Zero();  ///< m/s^2
+  double density = 0.0;       ///< kg/m^3
+  Amplitude amplitude;
+};
+
+struct LoadingSpec {
+  int steps = 50;
+  std::vector<double> outputs;  ///< ascending loads written as fields; every step if `every_step`
+  bool every_step = true;
+};
+
+struct SolverSpec {
+  double residual_tolerance = 1e-8;
+  double correction_tolerance = 1e-5;
+  int max_iterations = 12;
+  double min_step = 1e-4;
+  bool extrapolate = true;
+  int gauss_points = 2;          ///< per crack segment
+  double search_radius = 0.0;    ///< metres; 0: by scale
+};
+
+struct Scene {
+  std::string file;
+  std::string title;
+  MeshSpec mesh;
+  MaterialSpec material;
+  std::vector<CrackSpec> cracks;
+  std::vector<BoundarySpec> boundaries;
+  std::vector<TractionSpec> tractions;
+  std::optional<GravitySpec> gravity;
+  std::optional<FieldSpec> exact;
+  LoadingSpec loading;
+  SolverSpec solver;
+};
+
+/// The scene as solved, as JSON text with every default filled in.
+std::string to_json(const Scene& scene);
+
+/// Sixteen hexadecimal digits that change with anything that the solution depends on (not with title or file name).
+std::string scene_hash(const Scene& scene);
+
+}  // namespace cleft::scene

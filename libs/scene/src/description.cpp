@@ -1,0 +1,99 @@
+#include "cleft/scene/description.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace cleft::scene {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(const Vec2& p) { return {p.x(), p.y()}; }
+
+Json field(const FieldSpec& f) {
+  Json j{{"name", f.name}};
+  for (const auto& [key, value] : f.parameters) j[key] = value;
+  return j;
+}
+
+Json crack(const CrackSpec& c) {
+  constexpr std::array kSides{"right", "left", "both"};
+  Json j{{"name", c.name}, {"negative_side", kSides[static_cast<int>(c.negative_side)]}, {"friction", c.friction}};
+  if (c.sine)
+    j["curve"] = {{"kind", "sine"}, {"start", point(c.sine->start)}, {"end", point(c.sine->end)},
+                  {"amplitude", c.sine->amplitude}, {"periods", c.sine->periods}};
+  else
+    for (const Vec2& p : c.points) j["points"].push_back(point(p));
+  j["contact"] = {{"method", "penalty"}};
+  if (c.normal_penalty) j["contact"]["normal_penalty"] = *c.normal_penalty;
+  if (c.tangential_penalty) j["contact"]["tangential_penalty"] = *c.tangential_penalty;
+  return j;
+}
+
+Json boundary(const BoundarySpec& b) {
+  Json j{{"name", b.name}};
+  if (b.box) j["box"] = *b.box;
+  else j["on"] = b.on;
+  if (b.ux) j["ux"] = *b.ux;
+  if (b.uy) j["uy"] = *b.uy;
+  if (b.affine) j["affine"] = {{(*b.affine)(0, 0), (*b.affine)(0, 1)}, {(*b.affine)(1, 0), (*b.affine)(1, 1)}};
+  if (b.field) j["field"] = field(*b.field);
+  if (b.rotation)
+    j["rotation"] = {{"center", point(b.rotation->center)}, {"degrees", b.rotation->degrees}, {"amplitude", b.rotation->amplitude.points}};
+  j["amplitude"] = b.amplitude.points;
+  return j;
+}
+
+Json physics(const Scene& s) {
+  constexpr std::array kDiagonals{"right", "left", "alternating"};
+  Json j;
+  j["mesh"] = {{"kind", "structured"}, {"box", s.mesh.box}, {"cells", s.mesh.cells},
+               {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
+  j["material"] = {{"model", s.material.model}, {"young", s.material.young}, {"poisson", s.material.poisson}};
+  j["formulation"] = {{"kinematics", "finite"}, {"tip_enrichment", 0.0}};
+  j["crack"] = Json::array();
+  for (const auto& c : s.cracks) j["crack"].push_back(crack(c));
+  for (const auto& b : s.boundaries) j["boundary"].push_back(boundary(b));
+  for (const auto& t : s.tractions)
+    j["traction"].push_back({{"on", t.on}, {"value", point(t.value)}, {"amplitude", t.amplitude.points}});
+  if (s.gravity)
+    j["gravity"] = {{"value", point(s.gravity->value)}, {"density", s.gravity->density}, {"amplitude", s.gravity->amplitude.points}};
+  if (s.exact) j["exact"] = {{"solution", field(*s.exact)}};
+  j["loading"] = {{"steps", s.loading.steps}};
+  if (!s.loading.every_step) j["loading"]["outputs"] = s.loading.outputs;
+  j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance}, {"correction_tolerance", s.solver.correction_tolerance},
+                 {"max_iterations", s.solver.max_iterations}, {"min_step", s.solver.min_step}, {"extrapolate", s.solver.extrapolate},
+                 {"gauss_points", s.solver.gauss_points}, {"search_radius", s.solver.search_radius}};
+  return j;
+}
+
+}  // namespace
+
+double Amplitude::operator()(double load) const {
+  if (load <= points.front()[0]) return points.front()[1];
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const auto &a = points[k - 1], &b = points[k];
+    if (load <= b[0]) return a[1] + (b[1] - a[1]) * (load - a[0]) / (b[0] - a[0]);
+  }
+  return points.back()[1];
+}
+
+std::array<bool, 2> BoundarySpec::components() const {
+  const bool both = affine || field || rotation;
+  return {both || ux.has_value(), both || uy.has_value()};
+}
+
+std::string to_json(const Scene& scene) {
+  Json j{{"title", scene.title}, {"file", scene.file}};
+  j.update(physics(scene));
+  return j.dump(2);
+}
+
+std::string scene_hash(const Scene& scene) {
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+  for (const unsigned char c : physics(scene).dump()) hash = (hash ^ c) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace cleft::scene

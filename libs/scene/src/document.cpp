@@ -1,0 +1,293 @@
+#include "document.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "keys.hpp"
+
+namespace cleft::scene {
+namespace {
+
+std::string read_text(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw InputError({file}, "", "there is no such file");
+  if (!std::filesystem::is_regular_file(file, error)) throw InputError({file}, "", "this is not a file; allowed: a scene in TOML");
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) {
+    if (in && std::filesystem::file_size(file, error) == 0) return "";
+    throw InputError({file}, "", "the file cannot be read");
+  }
+  return text.str();
+}
+
+std::vector<std::string> split_key(const std::string& key) {
+  std::vector<std::string> parts(1);
+  for (const char c : key) {
+    if (c == '.' || c == '[')
+      parts.emplace_back();
+    else if (c != ']')
+      parts.back() += c;
+  }
+  std::erase(parts, "");
+  return parts;
+}
+
+// The member of an array of tables that a part of a key names, by number or by its own `name`.
+toml::node* member(toml::array& array, const std::string& part, std::string& index) {
+  for (std::size_t k = 0; k < array.size(); ++k) {
+    const auto* table = array[k].as_table();
+    const bool by_name = table && table->at_path("name").value<std::string>() == part;
+    if (!by_name && part != std::to_string(k)) continue;
+    index = std::to_string(k);
+    return &array[k];
+  }
+  return nullptr;
+}
+
+void apply(Document& document, const std::string& text) {
+  const Location here{"--set " + text};
+  const auto equal = text.find('=');
+  if (equal == std::string::npos) throw InputError(here, "", "not of the form KEY=VALUE");
+  const std::string key = text.substr(0, equal), value = text.substr(equal + 1);
+  toml::table parsed;
+  try {
+    parsed = toml::parse("v = " + value);
+  } catch (const toml::parse_error&) {
+    try {
+      parsed = toml::parse("v = '" + value + "'");
+    } catch (const toml::parse_error&) {
+      throw InputError(here, key, "the value is not TOML");
+    }
+  }
+  const auto parts = split_key(key);
+  if (parts.empty()) throw InputError(here, "", "the key is empty");
+  toml::node* at = &document.root;
+  std::string path;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const bool last = k + 1 == parts.size();
+    if (auto* array = at->as_array()) {
+      std::string index;
+      at = member(*array, parts[k], index);
+      if (!at) throw InputError(here, key, fmt::format("there is no '{}' among the {} entries", parts[k], array->size()));
+      path += "[" + index + "]";
+      if (last) throw InputError(here, key, "a whole section cannot be set; name one of its keys");
+      continue;
+    }
+    auto* table = at->as_table();
+    if (!table) throw InputError(here, key, "'" + path + "' is not a section");
+    path += (path.empty() ? "" : ".") + parts[k];
+    if (last) {
+      table->insert_or_assign(parts[k], *parsed.get("v"));
+    } else {
+      if (!table->contains(parts[k])) table->insert(parts[k], toml::table{});
+      at = table->get(parts[k]);
+    }
+  }
+  document.overrides[path] = text;
+}
+
+}  // namespace
+
+Document Document::load(const std::string& file, const std::vector<std::string>& overrides) {
+  Document document;
+  document.file = file;
+  const std::string text = read_text(file);
+  try {
+    document.root = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const auto at = error.source().begin;
+    throw InputError({file, static_cast<int>(at.line), static_cast<int>(at.column)}, "",
+                     "not valid TOML: " + std::string(error.description()));
+  }
+  for (const auto& o : overrides) apply(document, o);
+  return document;
+}
+
+Location Document::locate(const toml::node& node, const std::string& path) const {
+  for (const auto& [key, text] : overrides)
+    if (path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.' || path[key.size()] == '['))
+      return {"--set " + text};
+  const auto at = node.source().begin;
+  return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
+}
+
+Section::Section(const Document& document, const toml::table& table, std::string path, std::string kind)
+    : document_(&document), table_(&table), path_(std::move(path)), kind_(std::move(kind)) {
+  for (const auto& [key, value] : table) {
+    if (is_key(kind_, key.str())) continue;
+    std::string problem = "unknown key";
+    if (const auto near = nearest_key(kind_, key.str()); !near.empty()) problem += fmt::format("; did you mean '{}'?", near);
+    problem += " allowed:";
+    for (const Key& k : scene_keys())
+      if (k.section == kind_) problem += fmt::format(" {}", k.name);
+    Location at_key = document.locate(value, this->path(key.str()));
+    if (at_key.line > 0) {
+      const auto begin = key.source().begin;
+      at_key.line = static_cast<int>(begin.line);
+      at_key.column = static_cast<int>(begin.column);
+    }
+    throw InputError(at_key, this->path(key.str()), problem);
+  }
+}
+
+Location Section::at(std::string_view key) const {
+  const auto* n = table_->get(key);
+  return n ? document_->locate(*n, path(key)) : at();
+}
+
+void Section::fail(std::string_view key, const std::string& problem) const { throw InputError(at(key), path(key), problem); }
+
+void Section::require(std::string_view key) const {
+  if (has(key)) return;
+  for (const Key& k : scene_keys())
+    if (k.section == kind_ && k.name == key) fail(key, fmt::format("missing; allowed: {} ({})", k.type, k.meaning));
+}
+
+const toml::node& Section::node(std::string_view key) const {
+  require(key);
+  return *table_->get(key);
+}
+
+double Section::number_of(const toml::node& n, std::string_view key, const char* allowed) const {
+  const auto wrong = [&](const char* what) {
+    throw InputError(document_->locate(n, path(key)), path(key), fmt::format("{}; allowed: {}", what, allowed));
+  };
+  if (!n.is_number()) wrong("not a number");
+  const double value = *n.value<double>();
+  if (!std::isfinite(value)) wrong("not a finite number");
+  return value;
+}
+
+double Section::number(std::string_view key, const Check& ok, const char* allowed) const {
+  const double value = number_of(node(key), key, allowed);
+  if (ok && !ok(value)) fail(key, fmt::format("{} is out of range; allowed: {}", value, allowed));
+  return value;
+}
+
+double Section::number_or(std::string_view key, double fallback, const Check& ok, const char* allowed) const {
+  return has(key) ? number(key, ok, allowed) : fallback;
+}
+
+std::optional<double> Section::maybe_number(std::string_view key, const Check& ok, const char* allowed) const {
+  return has(key) ? std::optional(number(key, ok, allowed)) : std::nullopt;
+}
+
+int Section::integer(std::string_view key, int least, int most) const {
+  const auto value = node(key).is_integer() ? node(key).value<std::int64_t>() : std::nullopt;
+  if (!value || *value < least || *value > most)
+    fail(key, fmt::format("not an integer in range; allowed: {} to {}", least, most));
+  return static_cast<int>(*value);
+}
+
+int Section::integer_or(std::string_view key, int fallback, int least, int most) const {
+  return has(key) ? integer(key, least, most) : fallback;
+}
+
+bool Section::flag_or(std::string_view key, bool fallback) const {
+  if (!has(key)) return fallback;
+  if (!node(key).is_boolean()) fail(key, "not a truth value; allowed: true, false");
+  return *node(key).value<bool>();
+}
+
+std::string Section::text(std::string_view key) const {
+  if (!node(key).is_string()) fail(key, "not a text; allowed: a text in quotes");
+  return *node(key).value<std::string>();
+}
+
+std::string Section::choice(std::string_view key, const std::vector<std::string>& allowed) const {
+  const std::string value = text(key);
+  std::string list;
+  for (const auto& a : allowed) {
+    if (a == value) return value;
+    list += (list.empty() ? "" : ", ") + a;
+  }
+  fail(key, fmt::format("'{}' is not available; allowed: {}", value, list));
+}
+
+std::vector<double> Section::numbers(std::string_view key, std::optional<std::size_t> count) const {
+  const std::string allowed = count ? fmt::format("an array of {} finite numbers", *count) : "an array of finite numbers";
+  const auto* array = node(key).as_array();
+  if (!array || (count && array->size() != *count)) fail(key, "wrong shape; allowed: " + allowed);
+  std::vector<double> values;
+  for (const auto& item : *array) values.push_back(number_of(item, key, allowed.c_str()));
+  return values;
+}
+
+std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {
+  const auto* array = node(key).as_array();
+  const char* allowed = "an array of pairs of numbers, [[a, b], ...]";
+  if (!array) fail(key, fmt::format("wrong shape; allowed: {}", allowed));
+  std::vector<std::array<double, 2>> rows;
+  for (std::size_t k = 0; k < array->size(); ++k) {
+    const auto* row = (*array)[k].as_array();
+    const std::string name = fmt::format("{}[{}]", key, k);
+    if (!row || row->size() != 2)
+      throw InputError(document_->locate((*array)[k], path(key)), path(name), fmt::format("wrong shape; allowed: {}", allowed));
+    rows.push_back({number_of((*row)[0], name, allowed), number_of((*row)[1], name, allowed)});
+  }
+  return rows;
+}
+
+Vec2 Section::point(std::string_view key) const {
+  const auto v = numbers(key, 2);
+  return {v[0], v[1]};
+}
+
+std::optional<Section> Section::section(std::string_view key, const std::string& kind) const {
+  if (!has(key)) return std::nullopt;
+  const auto* table = node(key).as_table();
+  if (!table) fail(key, "not a section; allowed: a table");
+  return Section(*document_, *table, path(key), kind);
+}
+
+std::vector<Section> Section::sections(std::string_view key, const std::string& kind) const {
+  std::vector<Section> all;
+  if (!has(key)) return all;
+  if (const auto* table = node(key).as_table()) {
+    all.emplace_back(*document_, *table, path(key), kind);
+    return all;
+  }
+  const auto* array = node(key).as_array();
+  for (std::size_t k = 0; array && k < array->size(); ++k) {
+    const auto* table = (*array)[k].as_table();
+    if (!table) fail(key, fmt::format("not a section; allowed: [[{}]] sections", key));
+    all.emplace_back(*document_, *table, fmt::format("{}[{}]", path(key), k), kind);
+  }
+  if (!array) fail(key, fmt::format("not a section; allowed: [[{}]] sections", key));
+  return all;
+}
+
+Amplitude Section::amplitude() const {
+  Amplitude out;
+  if (!has("amplitude")) return out;
+  out.points = pairs("amplitude");
+  if (out.points.empty()) fail("amplitude", "empty; allowed: at least one pair [load, factor]");
+  for (std::size_t k = 0; k < out.points.size(); ++k)
+    if (out.points[k][0] < 0.0 || out.points[k][0] > 1.0 || (k > 0 && out.points[k][0] <= out.points[k - 1][0]))
+      fail("amplitude", "loads out of order; allowed: loads from 0 to 1, each larger than the one before");
+  return out;
+}
+
+FieldSpec Section::field(std::string_view key) const {
+  FieldSpec out;
+  out.at = at(key);
+  if (const auto* table = node(key).as_table()) {
+    for (const auto& [name, value] : *table) {
+      if (name.str() == "name" && value.is_string())
+        out.name = *value.value<std::string>();
+      else
+        out.parameters[std::string(name.str())] = number_of(value, key, "name = TEXT and parameters that are numbers");
+    }
+    if (out.name.empty()) fail(key, "the field has no name; allowed: { name = TEXT, parameter = number, ... }");
+    return out;
+  }
+  out.name = text(key);
+  return out;
+}
+
+}  // namespace cleft::scene

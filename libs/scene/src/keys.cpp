@@ -1,0 +1,109 @@
+#include "keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace cleft::scene {
+namespace {
+
+constexpr std::array kKeys = {
+    Key{"", "title", "text", "one line for reports"},
+    Key{"", "mesh", "section", "the triangle mesh"},
+    Key{"", "material", "section", "the bulk"},
+    Key{"", "formulation", "section", "kinematics and enrichment"},
+    Key{"", "crack", "array of sections", "embedded cracks"},
+    Key{"", "boundary", "array of sections", "prescribed displacements"},
+    Key{"", "traction", "array of sections", "dead tractions"},
+    Key{"", "gravity", "section", "body force"},
+    Key{"", "exact", "section", "an exact solution to measure errors against"},
+    Key{"", "loading", "section", "increments and outputs"},
+    Key{"", "solver", "section", "tolerances"},
+    Key{"mesh", "kind", "text", "structured"},
+    Key{"mesh", "box", "4 numbers", "xmin, ymin, xmax, ymax, m"},
+    Key{"mesh", "cells", "2 integers", "cells across and up, two triangles each"},
+    Key{"mesh", "diagonal", "text", "right (lower left to upper right) | left | alternating"},
+    Key{"material", "model", "text", "hencky | neo-hookean"},
+    Key{"material", "young", "number", "Young's modulus, Pa"},
+    Key{"material", "poisson", "number", "Poisson's ratio"},
+    Key{"formulation", "kinematics", "text", "finite"},
+    Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
+    Key{"crack", "name", "text", "names its result file"},
+    Key{"crack", "points", "array of points", "polyline in the reference configuration, m"},
+    Key{"crack", "curve", "text", "sine"},
+    Key{"crack", "start", "point", "first point of the curve, m"},
+    Key{"crack", "end", "point", "last point of the curve, m"},
+    Key{"crack", "amplitude", "number", "of the sine, m, first wave to the left"},
+    Key{"crack", "periods", "number", "of the sine"},
+    Key{"crack", "negative_side", "text", "side whose face carries the contact quadrature: left | right | both"},
+    Key{"crack", "friction", "number", "Coulomb's coefficient"},
+    Key{"crack", "contact", "table", "method and penalties"},
+    Key{"crack.contact", "method", "text", "penalty"},
+    Key{"crack.contact", "normal_penalty", "number", "Pa/m; default E/h"},
+    Key{"crack.contact", "tangential_penalty", "number", "Pa/m; default E/h"},
+    Key{"boundary", "on", "text", "named part of the boundary"},
+    Key{"boundary", "box", "4 numbers", "all nodes inside, xmin, ymin, xmax, ymax, m"},
+    Key{"boundary", "name", "text", "labels its columns in history.csv"},
+    Key{"boundary", "ux", "number", "displacement along x at factor 1, m"},
+    Key{"boundary", "uy", "number", "displacement along y at factor 1, m"},
+    Key{"boundary", "affine", "2 x 2 numbers", "u = A X at factor 1"},
+    Key{"boundary", "field", "text or table", "a registered displacement field"},
+    Key{"boundary", "rotation", "table", "rigid rotation on top of the rest"},
+    Key{"boundary", "amplitude", "array of pairs", "load, factor"},
+    Key{"boundary.rotation", "center", "point", "m"},
+    Key{"boundary.rotation", "degrees", "number", "counter-clockwise at factor 1"},
+    Key{"boundary.rotation", "amplitude", "array of pairs", "load, factor"},
+    Key{"traction", "on", "text", "named part of the boundary"},
+    Key{"traction", "value", "2 numbers", "Pa, per reference area"},
+    Key{"traction", "amplitude", "array of pairs", "load, factor"},
+    Key{"gravity", "value", "2 numbers", "m/s^2"},
+    Key{"gravity", "density", "number", "kg/m^3"},
+    Key{"gravity", "amplitude", "array of pairs", "load, factor"},
+    Key{"exact", "solution", "text or table", "a registered field"},
+    Key{"loading", "steps", "integer", "equal increments from load 0 to 1"},
+    Key{"loading", "outputs", "array of numbers", "loads hit exactly and written as fields; default: every step"},
+    Key{"solver", "residual_tolerance", "number", "relative to the forces"},
+    Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment"},
+    Key{"solver", "max_iterations", "integer", "before an increment is cut"},
+    Key{"solver", "min_step", "number", "smallest increment of the load"},
+    Key{"solver", "extrapolate", "true or false", "start from the last increment continued"},
+    Key{"solver", "gauss_points", "integer", "contact points a crack segment, 1 to 4"},
+    Key{"solver", "search_radius", "number", "m; default by scale"},
+};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::span<const Key> scene_keys() { return kKeys; }
+
+bool is_key(std::string_view section, std::string_view name) {
+  return std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == section && k.name == name; });
+}
+
+std::string_view nearest_key(std::string_view section, std::string_view mistyped) {
+  std::string_view best;
+  std::size_t least = 1 + std::max<std::size_t>(2, mistyped.size() / 3);
+  for (const Key& key : kKeys) {
+    if (key.section != section) continue;
+    if (const std::size_t d = edit_distance(mistyped, key.name); d < least) {
+      least = d;
+      best = key.name;
+    }
+  }
+  return best;
+}
+
+}  // namespace cleft::scene

@@ -1,0 +1,212 @@
+#include "cleft/scene/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "document.hpp"
+
+namespace cleft::scene {
+namespace {
+
+const Section::Check kPositive = [](double x) { return x > 0.0; };
+const Section::Check kNotNegative = [](double x) { return x >= 0.0; };
+
+MeshSpec read_mesh(const Section& s) {
+  MeshSpec out;
+  out.at = s.at();
+  if (s.has("kind")) s.choice("kind", {"structured"});
+  const auto box = s.numbers("box", 4);
+  std::copy(box.begin(), box.end(), out.box.begin());
+  if (!(box[2] > box[0]) || !(box[3] > box[1])) s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
+  const auto cells = s.numbers("cells", 2);
+  for (int k = 0; k < 2; ++k) {
+    if (cells[k] < 1 || cells[k] > 20000 || cells[k] != std::floor(cells[k]))
+      s.fail("cells", "the mesh has no such number of cells; allowed: integers from 1 to 20000");
+    out.cells[k] = static_cast<int>(cells[k]);
+  }
+  if (s.has("diagonal")) {
+    const auto d = s.choice("diagonal", {"right", "left", "alternating"});
+    out.diagonal = d == "right"  ? geometry::Diagonal::Right
+                   : d == "left" ? geometry::Diagonal::Left
+                                 : geometry::Diagonal::Alternating;
+  }
+  return out;
+}
+
+MaterialSpec read_material(const Section& s) {
+  MaterialSpec out;
+  out.model = s.choice("model", {"hencky", "neo-hookean"});
+  out.young = s.number("young", kPositive, "a positive number, Pa");
+  out.poisson = s.number("poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
+  return out;
+}
+
+void read_formulation(const Section& s) {
+  if (s.has("kinematics")) s.choice("kinematics", {"finite"});
+  s.number_or("tip_enrichment", 0.0, [](double x) { return x == 0.0; }, "0 (tip enrichment is not available)");
+}
+
+CrackSpec read_crack(const Section& s, std::size_t number) {
+  CrackSpec out;
+  out.at = s.at();
+  out.name = s.has("name") ? s.text("name") : fmt::format("crack{}", number + 1);
+  const bool usable = !out.name.empty() && std::all_of(out.name.begin(), out.name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  if (!usable) s.fail("name", "not usable in a file name; allowed: letters, digits, _ and -");
+  if (s.has("curve")) {
+    s.choice("curve", {"sine"});
+    if (s.has("points")) s.fail("points", "a crack is either a polyline or a curve; allowed: points or curve");
+    CrackSpec::Sine sine{s.point("start"), s.point("end"), s.number("amplitude"),
+                         s.number_or("periods", 1.0, kPositive, "a positive number")};
+    if (sine.start == sine.end) s.fail("end", "the curve has no length; allowed: an end apart from the start");
+    out.sine = sine;
+  } else {
+    for (const char* key : {"start", "end", "amplitude", "periods"})
+      if (s.has(key)) s.fail(key, "belongs to a curve; allowed with curve = \"sine\" only");
+    for (const auto& p : s.pairs("points")) out.points.emplace_back(p[0], p[1]);
+    if (out.points.size() < 2) s.fail("points", "a crack needs at least two points");
+    for (std::size_t k = 1; k < out.points.size(); ++k)
+      if (out.points[k] == out.points[k - 1]) s.fail("points", fmt::format("point {} repeats the one before; allowed: distinct points", k));
+  }
+  if (s.has("negative_side")) {
+    const auto side = s.choice("negative_side", {"left", "right", "both"});
+    out.negative_side = side == "left"    ? contact::NegativeSide::Left
+                        : side == "right" ? contact::NegativeSide::Right
+                                          : contact::NegativeSide::Both;
+  }
+  out.friction = s.number_or("friction", 0.0, kNotNegative, "0 or greater");
+  if (const auto c = s.section("contact", "crack.contact")) {
+    if (c->has("method")) c->choice("method", {"penalty"});
+    out.normal_penalty = c->maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
+    out.tangential_penalty = c->maybe_number("tangential_penalty", kPositive, "a positive number, Pa/m");
+  }
+  return out;
+}
+
+void check_on(const Section& s, const std::string& on) {
+  const std::vector<std::string> names{"left", "right", "bottom", "top"};
+  if (std::find(names.begin(), names.end(), on) == names.end())
+    s.fail("on", fmt::format("there is no boundary '{}'; allowed: left, right, bottom, top", on));
+}
+
+std::array<double, 4> read_box(const Section& s) {
+  const auto v = s.numbers("box", 4);
+  if (v[2] < v[0] || v[3] < v[1]) s.fail("box", "the box is empty; allowed: xmin <= xmax and ymin <= ymax");
+  return {v[0], v[1], v[2], v[3]};
+}
+
+BoundarySpec read_boundary(const Section& s, int& boxes) {
+  BoundarySpec out;
+  out.at = s.at();
+  if (s.has("on") == s.has("box")) s.fail("on", "says where the boundary is; allowed: exactly one of on and box");
+  if (s.has("on")) {
+    out.on = s.text("on");
+    check_on(s, out.on);
+    out.name = out.on;
+  } else {
+    out.box = read_box(s);
+    out.name = fmt::format("box{}", ++boxes);
+  }
+  if (s.has("name")) out.name = s.text("name");
+  if (out.name.empty() || out.name.find_first_of(",\"\n\r") != std::string::npos)
+    s.fail("name", "not usable as a column's name; allowed: a text without commas and quotes");
+  out.ux = s.maybe_number("ux");
+  out.uy = s.maybe_number("uy");
+  if (s.has("affine")) {
+    const auto rows = s.pairs("affine");
+    if (rows.size() != 2) s.fail("affine", "wrong shape; allowed: [[a, b], [c, d]]");
+    Mat2 a;
+    a << rows[0][0], rows[0][1], rows[1][0], rows[1][1];
+    out.affine = a;
+  }
+  if (s.has("field")) out.field = s.field("field");
+  if (const auto r = s.section("rotation", "boundary.rotation"))
+    out.rotation = {r->has("center") ? r->point("center") : Vec2::Zero(), r->number("degrees"), r->amplitude()};
+  const int kinds = (out.ux || out.uy) + out.affine.has_value() + out.field.has_value();
+  if (kinds > 1) s.fail(out.affine ? "affine" : "field", "contradicts the rest; allowed: one of (ux, uy), affine, field");
+  if (kinds == 0 && !out.rotation) throw InputError(s.at(), s.path("ux"), "nothing is prescribed; allowed: ux, uy, affine, field or rotation");
+  out.amplitude = s.amplitude();
+  return out;
+}
+
+void check_boundaries(const Section& root, const std::vector<BoundarySpec>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto &a = all[k], &b = all[i];
+      const std::string path = fmt::format("boundary[{}]", i);
+      const bool same_place = !a.on.empty() && a.on == b.on;
+      const bool overlap = (a.components()[0] && b.components()[0]) || (a.components()[1] && b.components()[1]);
+      if (same_place && overlap)
+        throw InputError(b.at, path, fmt::format("prescribes a component that boundary[{}] on '{}' already prescribes", k, a.on));
+      if (a.name == b.name)
+        throw InputError(b.at, path + ".name", fmt::format("'{}' names another boundary, too; allowed: distinct names", b.name));
+    }
+  if (all.empty()) throw InputError(root.at(), "boundary", "missing; allowed: at least one [[boundary]] section");
+}
+
+LoadingSpec read_loading(const Section& s) {
+  LoadingSpec out;
+  out.steps = s.integer_or("steps", out.steps, 1, 1000000);
+  if (!s.has("outputs")) return out;
+  out.every_step = false;
+  out.outputs = s.numbers("outputs", std::nullopt);
+  for (std::size_t k = 0; k < out.outputs.size(); ++k)
+    if (out.outputs[k] <= 0.0 || out.outputs[k] > 1.0 || (k > 0 && out.outputs[k] <= out.outputs[k - 1]))
+      s.fail("outputs", "loads out of order; allowed: loads greater than 0 up to 1, each larger than the one before");
+  return out;
+}
+
+SolverSpec read_solver(const Section& s) {
+  SolverSpec out;
+  const Section::Check small = [](double x) { return x > 0.0 && x < 1.0; };
+  out.residual_tolerance = s.number_or("residual_tolerance", out.residual_tolerance, small, "between 0 and 1");
+  out.correction_tolerance = s.number_or("correction_tolerance", out.correction_tolerance, small, "between 0 and 1");
+  out.max_iterations = s.integer_or("max_iterations", out.max_iterations, 1, 1000);
+  out.min_step = s.number_or("min_step", out.min_step, small, "between 0 and 1");
+  out.extrapolate = s.flag_or("extrapolate", out.extrapolate);
+  out.gauss_points = s.integer_or("gauss_points", out.gauss_points, 1, 4);
+  out.search_radius = s.number_or("search_radius", out.search_radius, kPositive, "a positive number, m");
+  return out;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& file, const std::vector<std::string>& overrides) {
+  const Document document = Document::load(file, overrides);
+  const Section root(document, document.root, "", "");
+  Scene out;
+  out.file = file;
+  if (root.has("title")) out.title = root.text("title");
+  root.require("mesh");
+  out.mesh = read_mesh(*root.section("mesh", "mesh"));
+  root.require("material");
+  const auto materials = root.sections("material", "material");
+  if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
+  out.material = read_material(materials[0]);
+  if (const auto s = root.section("formulation", "formulation")) read_formulation(*s);
+  std::set<std::string> names;
+  for (const auto& s : root.sections("crack", "crack")) {
+    out.cracks.push_back(read_crack(s, out.cracks.size()));
+    if (!names.insert(out.cracks.back().name).second)
+      s.fail("name", fmt::format("'{}' names another crack, too; allowed: distinct names", out.cracks.back().name));
+  }
+  int boxes = 0;
+  for (const auto& s : root.sections("boundary", "boundary")) out.boundaries.push_back(read_boundary(s, boxes));
+  check_boundaries(root, out.boundaries);
+  for (const auto& s : root.sections("traction", "traction")) {
+    TractionSpec t{s.at(), s.text("on"), s.point("value"), s.amplitude()};
+    check_on(s, t.on);
+    out.tractions.push_back(t);
+  }
+  if (const auto s = root.section("gravity", "gravity"))
+    out.gravity = {s->point("value"), s->number("density", kPositive, "a positive number, kg/m^3"), s->amplitude()};
+  if (const auto s = root.section("exact", "exact")) out.exact = s->field("solution");
+  if (const auto s = root.section("loading", "loading")) out.loading = read_loading(*s);
+  if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);
+  return out;
+}
+
+}  // namespace cleft::scene

@@ -1,0 +1,24 @@
+# The libraries of cleft, lowest first, and for each the libraries that it may use directly. An arrow that is not in
+# this table is refused: by `cleft_library` when a library declares it, and by the test `arrows` when an #include draws it.
+
+set(CLEFT_LIBRARIES support geometry enrichment constitutive contact assembly scene)
+
+set(CLEFT_ALLOWED_support "")
+set(CLEFT_ALLOWED_geometry support)
+set(CLEFT_ALLOWED_enrichment support geometry)
+set(CLEFT_ALLOWED_constitutive support)
+set(CLEFT_ALLOWED_contact support geometry enrichment)
+set(CLEFT_ALLOWED_assembly support geometry enrichment constitutive contact)
+set(CLEFT_ALLOWED_scene support geometry enrichment constitutive contact assembly)
+
+# Stops the configuration unless library `name` may depend directly on each library that follows.
+function(cleft_check_arrows name)
+  if(NOT name IN_LIST CLEFT_LIBRARIES)
+    message(FATAL_ERROR "cleft_library: ${name} is not one of the libraries: ${CLEFT_LIBRARIES}")
+  endif()
+  foreach(dependency IN LISTS ARGN)
+    if(NOT dependency IN_LIST CLEFT_ALLOWED_${name})
+      message(FATAL_ERROR "cleft_library: ${name} must not depend on ${dependency}; allowed: ${CLEFT_ALLOWED_${name}}")
+    endif()
+  endforeach()
+endfunction()
