@@ -28,7 +28,7 @@ VecX prescribed_values(const Model& model, const std::vector<Constraint>& constr
 
 VecX dead_force(const Model& model, double load) {
   VecX force = VecX::Zero(model.unknowns.components());
-  for (const auto& dead : model.dead_loads) force += dead.factor(load) * dead.force;
+  for (const auto& dead : model.dead_loads) force += dead(load);
   return force;
 }
 

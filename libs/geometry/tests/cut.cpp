@@ -267,5 +267,24 @@ TEST(Cut, EndWithinRoundingOfTheBoundaryIsAMouth) {
   }
 }
 
+// The outer piece touches itself at the node: it once was triangulated twice over.
+TEST(Cut, KinkOnABoundaryNodeFillsBothSides) {
+  sound_cut(unit(10, 8), {{"c", {{0.45, 0.625}, {0, 0.25}, {0.1, 0.875}}}});
+}
+
+// A mouth just inside of the boundary once left a sliver to neither side.
+TEST(Cut, MouthInsideTheBoundaryLosesNoArea) {
+  sound_cut(unit(2, 6), {{"c", {{0.74999999999938749, 1.8371768829253753e-13}, {0.75000000000037093, 0.33333333333311316}}}});
+}
+
+// Along diagonals within rounding, where a crossing computed in doubles depends on the direction.
+TEST(Cut, TipHalfwayAlongADiagonalIsTheSameBothWays) {
+  const Mesh mesh = unit(4, 3);
+  const Crack crack{"c", {{1.125, 1.1666666666666665}, {0.375, 0.16666666666666666}}};
+  const CutMesh forth = sound_cut(mesh, {crack}), back = sound_cut(mesh, {test::reversed(crack)});
+  EXPECT_EQ(forth.elements.size(), back.elements.size());
+  EXPECT_EQ(forth.tip_nodes, back.tip_nodes);
+}
+
 }  // namespace
 }  // namespace cleft::geometry

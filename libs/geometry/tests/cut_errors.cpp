@@ -51,7 +51,7 @@ TEST(CutErrors, TooNearAnotherCrack) {
 TEST(CutErrors, TooShort) {
   expect_refused(unit(2), {{"dot", {{0.3, 0.1}, {0.32, 0.12}}}}, "dot", "too short");        // in one element
   expect_refused(unit(2), {{"edge", {{0.24, 0.26}, {0.26, 0.24}}}}, "edge", "too short");    // across one edge
-  expect_refused(unit(2), {{"single", {{0.02, 0.1}, {0.48, 0.1}}}}, "single", "too short");  // mouth to mouth is fine, see below
+  expect_refused(unit(4), {{"single", {{0.299, 0.3}, {0.501, 0.3}}}}, "single", "too short");  // all nodes of one element shut
 }
 
 TEST(CutErrors, WindsTooTightly) {

@@ -24,11 +24,8 @@ struct Prescribed {
   std::function<Vec2(const Vec2& reference, double load)> displacement;  ///< metres
 };
 
-/// Dead forces: `force` (N/m, per component of all unknowns) times `factor(load)`.
-struct DeadLoad {
-  VecX force;
-  std::function<double(double load)> factor;
-};
+/// Nodal forces of dead loads (N/m, per component of all unknowns) at a load.
+using DeadLoad = std::function<VecX(double load)>;
 
 struct Model {
   geometry::Mesh mesh;

@@ -1,0 +1,24 @@
+/// \file
+/// From a description to a problem that is ready to be solved.
+#pragma once
+
+#include "cleft/assembly/stepping.hpp"
+#include "cleft/scene/description.hpp"
+#include "cleft/scene/field.hpp"
+
+namespace cleft::scene {
+
+/// Meshes, cuts, numbers and binds boundary values. Throws InputError, located in the scene, on what only then shows: a crack
+/// outside the body, boundaries that contradict each other at a shared node, a box without nodes.
+assembly::Model build_model(const Scene& scene);
+
+assembly::StepControls step_controls(const Scene& scene);
+
+/// Norms of the error against an exact solution, and of that solution itself: L2 of the displacement (m^2), and the energy
+/// norm of small strain (sqrt(J/m)).
+struct ErrorNorms {
+  double l2 = 0.0, energy = 0.0, l2_exact = 0.0, energy_exact = 0.0;
+};
+ErrorNorms error_norms(const assembly::Model& model, const Field& exact, double factor, const VecX& displacement);
+
+}  // namespace cleft::scene
