@@ -1,4 +1,4 @@
-# What every target of cleft is compiled with.
+# What every target of cleft is made with.
 
 # C++20 without extensions, and our warnings. Headers of imported targets are system headers and so are exempt.
 function(cleft_target_defaults target)
@@ -7,27 +7,30 @@ function(cleft_target_defaults target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
 endfunction()
 
-# Executable `target` made of the .cpp files of a folder and its subfolders; nothing if there is none.
-# The caller finds out by if(TARGET ...). Further arguments: libraries to link.
-function(cleft_executable target folder output)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-  if(NOT sources)
+# cleft_executable(TARGET SOURCES output library...): executable of the .cpp files below the folder SOURCES, put into folder
+# `output` of the build tree; no target if there are no files.
+function(cleft_executable target sources output)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${sources}/*.cpp)
+  if(NOT files)
     return()
   endif()
-  add_executable(${target} ${sources})
+  add_executable(${target} ${files})
   cleft_target_defaults(${target})
   target_link_libraries(${target} PRIVATE ${ARGN})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${output})
 endfunction()
 
-# Test executable `target` of the .cpp files of a folder, each GoogleTest case (rapidcheck is at hand) a test of ctest
-# under the name PREFIX.Subject.Statement.
-function(cleft_tests target folder prefix)
+# cleft_tests(NAME library...): executable test_NAME of the .cpp files below the folder tests/. Each of its GoogleTest cases
+# is a test of ctest, called NAME.Subject.Statement. rapidcheck is at hand; CLEFT_SOURCE_DIR is the root of the sources.
+function(cleft_tests name)
   if(NOT CLEFT_TESTS)
     return()
   endif()
-  cleft_executable(${target} ${folder} tests ${ARGN} GTest::gtest_main rapidcheck_gtest)
+  set(target test_${name})
+  cleft_executable(${target} ${CMAKE_CURRENT_SOURCE_DIR}/tests tests ${ARGN} GTest::gtest_main rapidcheck_gtest)
   if(TARGET ${target})
-    gtest_discover_tests(${target} TEST_PREFIX ${prefix}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+    target_compile_definitions(${target} PRIVATE CLEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    gtest_discover_tests(${target}
+      TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
   endif()
 endfunction()

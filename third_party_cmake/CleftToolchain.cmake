@@ -1,4 +1,9 @@
-# Settings of the whole build that come from options: compiler cache, sanitizers, clang-tidy.
+# Settings of the whole build that come from options: build type, compiler cache, sanitizers, clang-tidy.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(CLEFT_CCACHE ccache)
@@ -14,7 +19,7 @@ if(CLEFT_SANITIZE)
 endif()
 
 if(CLEFT_TIDY)
-  find_program(CLEFT_CLANG_TIDY NAMES clang-tidy-16)
+  find_program(CLEFT_CLANG_TIDY clang-tidy-16)
   if(CLEFT_CLANG_TIDY)
     set(CMAKE_CXX_CLANG_TIDY ${CLEFT_CLANG_TIDY} --quiet)
   else()

@@ -1,20 +1,17 @@
-# Everything from outside, for the build tree and for the installed package alike. C is needed by the checks of some packages.
-include(CMakeFindDependencyMacro)
+# The packages that cleft is built on, with the least version: for the build and, as the libraries are static, for
+# whoever links the installed ones.
+set(CLEFT_PACKAGES
+  "Eigen3 3.4"
+  "fmt 9"
+  "spdlog 1.10"
+  "CGAL 5.5"
+  "SuiteSparse 5"
+  "tomlplusplus 3.3"
+  "pugixml 1.13"
+  "ZLIB"
+  "nlohmann_json 3.11")
+
+# SuiteSparse has a find module of ours, beside this file.
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
-find_dependency(Eigen3 3.4)
-find_dependency(fmt)
-find_dependency(spdlog)
-find_dependency(SuiteSparse MODULE)
-find_dependency(pugixml)
-find_dependency(ZLIB)
-find_dependency(nlohmann_json)
-if(NOT TARGET cleft::tomlplusplus)
-  # Debian ships toml++ as a header with a compiled half; there is no CMake package for that half.
-  find_path(tomlplusplus_INCLUDE_DIR toml++/toml.h REQUIRED)
-  find_library(tomlplusplus_LIBRARY tomlplusplus REQUIRED)
-  mark_as_advanced(tomlplusplus_INCLUDE_DIR tomlplusplus_LIBRARY)
-  add_library(cleft::tomlplusplus UNKNOWN IMPORTED)
-  set_target_properties(
-    cleft::tomlplusplus PROPERTIES IMPORTED_LOCATION ${tomlplusplus_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${tomlplusplus_INCLUDE_DIR}
-                                   INTERFACE_COMPILE_DEFINITIONS "TOML_HEADER_ONLY=0;TOML_SHARED_LIB=1")
-endif()
+# CGAL warns about every build type but Release; a development build is meant to be one.
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)

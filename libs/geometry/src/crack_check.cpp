@@ -17,7 +17,9 @@ void check_points(const Crack& crack) {
       throw InputError({}, crack.name, "point " + std::to_string(k + 1) + " is not finite");
     }
     if (k > 0 && crack.points[k] == crack.points[k - 1]) {
-      throw InputError({}, crack.name, "points " + std::to_string(k) + " and " + std::to_string(k + 1) + " coincide; consecutive points must differ");
+      throw InputError(
+          {}, crack.name,
+          "points " + std::to_string(k) + " and " + std::to_string(k + 1) + " coincide; consecutive points must differ");
     }
   }
 }
@@ -52,11 +54,12 @@ void check_cracks(const std::vector<Crack>& cracks) {
       }
       if (!segments_meet(starts[m], ends[m], starts[k], ends[k])) return;
       if (place[k].first == crack) {
-        throw InputError({}, name, "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
-                                       std::to_string(place[k].second + 1) + " meet, which is not allowed");
+        throw InputError({}, name,
+                         "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
+                             std::to_string(place[k].second + 1) + " meet, which is not allowed");
       }
-      throw InputError({}, name, "crosses or touches crack " + cracks[place[k].first].name +
-                                     "; cracks must keep clear of each other");
+      throw InputError({}, name,
+                       "crosses or touches crack " + cracks[place[k].first].name + "; cracks must keep clear of each other");
     });
   }
 }

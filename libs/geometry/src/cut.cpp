@@ -13,7 +13,9 @@ namespace cleft::geometry {
 namespace {
 
 [[noreturn]] void winds(const Crack& crack) {
-  throw InputError({}, crack.name, "winds so tightly that a node or a piece of an element would lie on both of its sides; refine the mesh there");
+  throw InputError(
+      {}, crack.name,
+      "winds so tightly that a node or a piece of an element would lie on both of its sides; refine the mesh there");
 }
 
 class Cutter {
@@ -88,8 +90,10 @@ class Cutter {
 
   [[noreturn]] void too_near(Index one, Index two) const {
     const std::string &a = cracks_[static_cast<std::size_t>(one)].name, &b = cracks_[static_cast<std::size_t>(two)].name;
-    throw InputError({}, b, "cracks " + a + " and " + b +
-                                " are too near each other for this mesh: they cut elements with a common node; refine the mesh between them");
+    throw InputError(
+        {}, b,
+        "cracks " + a + " and " + b +
+            " are too near each other for this mesh: they cut elements with a common node; refine the mesh between them");
   }
 
   // A node opens if some element has a part on the other side of the crack.

@@ -22,8 +22,8 @@ bool within_box(const Vec2& a, const Vec2& b, const Vec2& c) {
 }  // namespace
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return static_cast<int>(CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()),
-                                            Kernel::Point_2(c.x(), c.y())));
+  return static_cast<int>(
+      CGAL::orientation(Kernel::Point_2(a.x(), a.y()), Kernel::Point_2(b.x(), b.y()), Kernel::Point_2(c.x(), c.y())));
 }
 
 int side_of_shifted_line(const Vec2& p, const Vec2& q, const Vec2& node) {

@@ -8,7 +8,8 @@ namespace cleft::geometry {
 /// Sign of the area of the triangle a, b, c: +1 counter-clockwise, -1 clockwise, 0 on one line.
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Side of `node` seen from the line p -> q translated by an infinitesimal (e, e^2): +1 left, -1 right; never 0 (p and q differ).
+/// Side of `node` seen from the line p -> q translated by an infinitesimal (e, e^2): +1 left, -1 right; never 0 (p and q
+/// differ).
 int side_of_shifted_line(const Vec2& p, const Vec2& q, const Vec2& node);
 
 /// Side of the point p, translated likewise, seen from the mesh edge a -> b.

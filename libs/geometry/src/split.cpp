@@ -11,7 +11,7 @@ namespace {
 // Which pieces there are, and what bounds them, follows from the order of the crossings around the triangle alone, and that
 // order is exact. Coordinates only enter areas and sub-triangles.
 struct Corner {
-  int id;                         // 0..2 nodes, 3 + 2 p and 4 + 2 p the ends of path p, kKink otherwise
+  int id;  // 0..2 nodes, 3 + 2 p and 4 + 2 p the ends of path p, kKink otherwise
   Vec2 point;
   std::optional<Side> side = {};  // of the crack, for the stretch that begins here, if it is a part of the crack
 };
@@ -89,7 +89,8 @@ std::vector<Vec2> polygon_of(const Piece& piece) {
 
 std::array<Vec2, 3> whole_triangle(const Mesh& mesh, Index t) {
   std::array<Vec2, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.nodes[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][k])];
+  for (std::size_t k = 0; k < 3; ++k)
+    corners[k] = mesh.nodes[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][k])];
   return corners;
 }
 

@@ -12,9 +12,9 @@ namespace cleft::geometry {
 
 /// A passage with its coordinates.
 struct Path {
-  int in_edge, out_edge;         ///< local numbers of the triangle's edges
+  int in_edge, out_edge;  ///< local numbers of the triangle's edges
   const EdgeCrossing *in, *out;
-  std::vector<Vec2> kinks;       ///< between the two
+  std::vector<Vec2> kinks;  ///< between the two
 };
 
 struct Division {

@@ -23,7 +23,9 @@ void check_way_on(const Crack& crack, const Vec2& reached, int end) {
   for (std::size_t k = 2; k < segments; ++k) {
     const std::size_t other = end == 0 ? k : segments - 1 - k;
     if (segments_meet(nominal, reached, points[other], points[other + 1])) {
-      throw InputError({}, crack.name, "winds so tightly that its end, led on to an element edge, meets the crack itself; refine the mesh there");
+      throw InputError(
+          {}, crack.name,
+          "winds so tightly that its end, led on to an element edge, meets the crack itself; refine the mesh there");
     }
   }
 }
@@ -108,7 +110,8 @@ std::vector<Vec2> kinks_of(const Topology& topology, const Trace& trace, const C
   return kinks;
 }
 
-void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace, std::vector<Index>& tip_nodes) {
+void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace,
+                 std::vector<Index>& tip_nodes) {
   if (trace.chains.empty()) {
     throw InputError({}, crack.name, "lies outside of the body; at least a part of a crack must be inside");
   }
@@ -125,7 +128,9 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
   if (trace.chains.empty()) too_short(crack);
   std::erase_if(trace.chains, [&](const Chain& chain) { return !divides(terrain, trace, crack, chain); });
   if (trace.chains.empty()) {
-    throw InputError({}, crack.name, "lies outside of the body: it only touches the boundary or runs along it; at least a part of a crack must be inside");
+    throw InputError(
+        {}, crack.name,
+        "lies outside of the body: it only touches the boundary or runs along it; at least a part of a crack must be inside");
   }
   for (const Chain& chain : trace.chains) collect_tip_nodes(trace, chain, tip_nodes);
 }

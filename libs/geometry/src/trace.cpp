@@ -20,7 +20,8 @@ double Tracer::arc_length(const Vec2& point, int segment) const {
 int Tracer::leaving_edge(Index triangle, const Line& line, bool backward) const {
   const Topology& topology = terrain_.topology;
   std::array<int, 3> side{};
-  for (int k = 0; k < 3; ++k) side[static_cast<std::size_t>(k)] = side_of_shifted_line(line.start, line.end, topology.corner(triangle, k));
+  for (int k = 0; k < 3; ++k)
+    side[static_cast<std::size_t>(k)] = side_of_shifted_line(line.start, line.end, topology.corner(triangle, k));
   const int from = backward ? 1 : -1;
   for (int k = 0; k < 3; ++k) {
     if (side[static_cast<std::size_t>(k)] == from && side[static_cast<std::size_t>((k + 1) % 3)] == -from) return k;
@@ -32,7 +33,8 @@ int Tracer::leaving_edge(Index triangle, const Line& line, bool backward) const 
 int Tracer::add_crossing(Trace& trace, TriangleEdge edge, int segment, bool on_boundary) const {
   const Topology& topology = terrain_.topology;
   EdgeCrossing crossing;
-  const auto [low, high] = std::minmax({topology.node(edge.triangle, edge.local), topology.node(edge.triangle, edge.local + 1)});
+  const auto [low, high] =
+      std::minmax({topology.node(edge.triangle, edge.local), topology.node(edge.triangle, edge.local + 1)});
   crossing.edge = {low, high};
   crossing.line = line(segment);
   crossing.on_boundary = on_boundary;
@@ -56,7 +58,8 @@ int Tracer::add_crossing(Trace& trace, TriangleEdge edge, int segment, bool on_b
     // Two segments that meet on the edge cross it at one point, not at two that rounding has set apart.
     if (!trace.crossings.empty()) {
       const EdgeCrossing& last = trace.crossings.back();
-      if (last.edge == crossing.edge && (last.point - crossing.point).norm() <= kSamePoint * (b - a).norm()) crossing.point = last.point;
+      if (last.edge == crossing.edge && (last.point - crossing.point).norm() <= kSamePoint * (b - a).norm())
+        crossing.point = last.point;
     }
   }
   crossing.s = arc_length(crossing.point, segment);
@@ -82,7 +85,11 @@ void Tracer::walk(Trace& trace, Chain& chain, Passage passage, int segment) cons
     passage.out = add_crossing(trace, edge, segment, beyond.triangle == kNone);
     chain.passages.push_back(passage);
     if (beyond.triangle == kNone) return;
-    passage = {.element = beyond.triangle, .in = passage.out, .in_edge = beyond.local, .first_kink = segment + 1, .last_kink = segment + 1};
+    passage = {.element = beyond.triangle,
+               .in = passage.out,
+               .in_edge = beyond.local,
+               .first_kink = segment + 1,
+               .last_kink = segment + 1};
   }
   chain.passages.push_back(passage);
 }

@@ -73,7 +73,8 @@ void triangulate(std::vector<Vec2> polygon, double negligible, std::vector<std::
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     for (std::size_t j = i + 1; j < polygon.size(); ++j) {
       if (polygon[i] != polygon[j]) continue;
-      const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i), last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
+      const auto first = polygon.begin() + static_cast<std::ptrdiff_t>(i),
+                 last = polygon.begin() + static_cast<std::ptrdiff_t>(j);
       triangulate({first, last}, negligible, triangles);
       polygon.erase(first, last);
       triangulate(std::move(polygon), negligible, triangles);

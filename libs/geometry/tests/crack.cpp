@@ -33,7 +33,8 @@ TEST(SineCurve, StaysWithinItsTolerance) {
 TEST(SineCurve, HoldsCrestsAndZeros) {
   const auto points = sine_curve({0, 0}, {8, 0}, 0.5, 2.0, 1e-3);
   const auto holds = [&](const Vec2& p) { return std::find(points.begin(), points.end(), p) != points.end(); };
-  for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0.5), Vec2(2, 0), Vec2(3, -0.5), Vec2(4, 0), Vec2(8, 0)}) EXPECT_TRUE(holds(p)) << p.transpose();
+  for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0.5), Vec2(2, 0), Vec2(3, -0.5), Vec2(4, 0), Vec2(8, 0)})
+    EXPECT_TRUE(holds(p)) << p.transpose();
   EXPECT_EQ(points.front(), Vec2(0, 0));
   EXPECT_EQ(points.back(), Vec2(8, 0));
 }

@@ -224,7 +224,8 @@ TEST(Cut, TipOnAnEdgeDoesNotMove) {
 
 TEST(Cut, SeveralCracksKeepTheirOrder) {
   const Mesh mesh = unit(16, 16, Diagonal::Alternating);
-  const CutMesh result = sound_cut(mesh, {{"a", {{0, 0.2}, {0.6, 0.22}}}, {"b", {{0.3, 0.5}, {0.7, 0.53}}}, {"c", {{1, 0.8}, {0, 0.8}}}});
+  const CutMesh result =
+      sound_cut(mesh, {{"a", {{0, 0.2}, {0.6, 0.22}}}, {"b", {{0.3, 0.5}, {0.7, 0.53}}}, {"c", {{1, 0.8}, {0, 0.8}}}});
   ASSERT_EQ(result.cracks.size(), 3U);
   EXPECT_EQ(result.tip_nodes.size(), 6U);
   EXPECT_TRUE(std::is_sorted(result.segments.begin(), result.segments.end(),
@@ -234,7 +235,8 @@ TEST(Cut, SeveralCracksKeepTheirOrder) {
 TEST(Cut, LeavesTheBodyAndComesBackAsTwoChains) {
   const std::vector<Crack> cracks{{"c", {{-0.1, 0.2}, {1.2, 0.25}, {1.2, 0.7}, {-0.1, 0.75}}}};
   const CutMesh result = sound_cut(unit(8, 8), cracks);
-  EXPECT_EQ(std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
+  EXPECT_EQ(
+      std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
   EXPECT_EQ(result.cracks[0].ends[0].kind, Kind::Mouth);
   EXPECT_EQ(result.cracks[0].ends[1].kind, Kind::Mouth);
   EXPECT_NEAR(test::face_length(result, 0), 2 * std::hypot(1.0, 0.05 / 1.3), 1e-14);
@@ -243,11 +245,14 @@ TEST(Cut, LeavesTheBodyAndComesBackAsTwoChains) {
 TEST(Cut, NotchInterruptsTheCrack) {
   Mesh mesh = unit(9, 9);
   std::erase_if(mesh.triangles, [&](const auto& t) {
-    const Vec2 middle = (mesh.nodes[static_cast<std::size_t>(t[0])] + mesh.nodes[static_cast<std::size_t>(t[1])] + mesh.nodes[static_cast<std::size_t>(t[2])]) / 3;
+    const Vec2 middle = (mesh.nodes[static_cast<std::size_t>(t[0])] + mesh.nodes[static_cast<std::size_t>(t[1])] +
+                         mesh.nodes[static_cast<std::size_t>(t[2])]) /
+                        3;
     return middle.x() > 1.0 / 3 && middle.x() < 2.0 / 3 && middle.y() > 1.0 / 3;
   });
   const CutMesh result = sound_cut(mesh, {{"c", {{0, 0.6}, {1, 0.62}}}});
-  EXPECT_EQ(std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
+  EXPECT_EQ(
+      std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
   EXPECT_NEAR(test::face_length(result, 0), 2.0 / 3 * std::hypot(1.0, 0.02), 1e-14);
 }
 
@@ -268,9 +273,7 @@ TEST(Cut, EndWithinRoundingOfTheBoundaryIsAMouth) {
 }
 
 // The outer piece touches itself at the node: it once was triangulated twice over.
-TEST(Cut, KinkOnABoundaryNodeFillsBothSides) {
-  sound_cut(unit(10, 8), {{"c", {{0.45, 0.625}, {0, 0.25}, {0.1, 0.875}}}});
-}
+TEST(Cut, KinkOnABoundaryNodeFillsBothSides) { sound_cut(unit(10, 8), {{"c", {{0.45, 0.625}, {0, 0.25}, {0.1, 0.875}}}}); }
 
 // A mouth just inside of the boundary once left a sliver to neither side.
 TEST(Cut, MouthInsideTheBoundaryLosesNoArea) {

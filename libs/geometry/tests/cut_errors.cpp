@@ -43,19 +43,22 @@ TEST(CutErrors, CrossesAnotherCrack) {
 }
 
 TEST(CutErrors, TooNearAnotherCrack) {
-  expect_refused(unit(4), {{"a", {{0, 0.55}, {1, 0.55}}}, {"b", {{0, 0.6}, {1, 0.6}}}}, "b", "cracks a and b are too near each other");
+  expect_refused(unit(4), {{"a", {{0, 0.55}, {1, 0.55}}}, {"b", {{0, 0.6}, {1, 0.6}}}}, "b",
+                 "cracks a and b are too near each other");
   // no common element, but common nodes
-  expect_refused(unit(4), {{"a", {{0, 0.4}, {1, 0.4}}}, {"b", {{0, 0.6}, {1, 0.6}}}}, "b", "cracks a and b are too near each other");
+  expect_refused(unit(4), {{"a", {{0, 0.4}, {1, 0.4}}}, {"b", {{0, 0.6}, {1, 0.6}}}}, "b",
+                 "cracks a and b are too near each other");
 }
 
 TEST(CutErrors, TooShort) {
-  expect_refused(unit(2), {{"dot", {{0.3, 0.1}, {0.32, 0.12}}}}, "dot", "too short");        // in one element
-  expect_refused(unit(2), {{"edge", {{0.24, 0.26}, {0.26, 0.24}}}}, "edge", "too short");    // across one edge
+  expect_refused(unit(2), {{"dot", {{0.3, 0.1}, {0.32, 0.12}}}}, "dot", "too short");          // in one element
+  expect_refused(unit(2), {{"edge", {{0.24, 0.26}, {0.26, 0.24}}}}, "edge", "too short");      // across one edge
   expect_refused(unit(4), {{"single", {{0.299, 0.3}, {0.501, 0.3}}}}, "single", "too short");  // all nodes of one element shut
 }
 
 TEST(CutErrors, WindsTooTightly) {
-  expect_refused(unit(3), {{"spiral", {{0.45, 0.5}, {0.7, 0.5}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.45}, {0.8, 0.45}}}}, "spiral", "winds");
+  expect_refused(unit(3), {{"spiral", {{0.45, 0.5}, {0.7, 0.5}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.45}, {0.8, 0.45}}}}, "spiral",
+                 "winds");
 }
 
 }  // namespace

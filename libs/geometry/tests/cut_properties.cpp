@@ -19,7 +19,9 @@ struct Case {
   Crack crack;
 };
 
-double random_between(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double random_between(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 // About every other crack has its points on a lattice of half cells, hence on nodes, edges and diagonals of unshaken meshes.
 Case random_case() {
@@ -99,7 +101,8 @@ RC_GTEST_PROP(CutProperty, SidesOfThroughCrackFillTheBody, ()) {
   };
   double below = 0.0;
   for (int k = 0; k + 1 < count; ++k) {
-    below += 0.5 * (crack.points[static_cast<std::size_t>(k)].y() + crack.points[static_cast<std::size_t>(k) + 1].y()) / (count - 1);
+    below +=
+        0.5 * (crack.points[static_cast<std::size_t>(k)].y() + crack.points[static_cast<std::size_t>(k) + 1].y()) / (count - 1);
   }
   double left = 0.0;
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {

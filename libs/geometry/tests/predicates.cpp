@@ -18,8 +18,8 @@ TEST(Predicates, ShiftedSidesAreNeverZeroAndAgree) {
   const Vec2 low(0, 0), right(1, 0), up(0, 1), far(2, 2), middle(1, 1);
   EXPECT_EQ(side_of_shifted_line(low, {2, 0}, right), -1);  // the line goes up
   EXPECT_EQ(side_of_shifted_line({2, 0}, low, right), 1);
-  EXPECT_EQ(side_of_shifted_line(low, {0, 2}, up), 1);  // and to the right
-  EXPECT_EQ(side_of_shifted_line(low, far, middle), 1);   // to the right more than up
+  EXPECT_EQ(side_of_shifted_line(low, {0, 2}, up), 1);   // and to the right
+  EXPECT_EQ(side_of_shifted_line(low, far, middle), 1);  // to the right more than up
   EXPECT_EQ(side_of_shifted_line(far, low, middle), -1);
   EXPECT_EQ(shifted_side_of_edge(low, {2, 0}, right), 1);
   EXPECT_EQ(shifted_side_of_edge({2, 0}, low, right), -1);

@@ -24,7 +24,8 @@ std::string flaw_of_element(const Mesh& mesh, const CutElement& element) {
       sum += area;
     }
     // Snapping may move a path across another of its points by a millionth of an edge.
-    if (std::abs(sum - element.area[s]) > 1e-12 * total) out << "sub-triangles of side " << s << " miss " << (element.area[s] - sum) / total << "; ";
+    if (std::abs(sum - element.area[s]) > 1e-12 * total)
+      out << "sub-triangles of side " << s << " miss " << (element.area[s] - sum) / total << "; ";
   }
   if (!out.str().empty()) out << "(element " << element.element << ")";
   return out.str();
@@ -56,7 +57,8 @@ std::string flaw_of_segments(const Mesh& mesh, const CutMesh& cut) {
     const CutElement& element = cut.elements.at(static_cast<std::size_t>(segment.cut));
     if (element.crack != segment.crack) return "segment in another crack's element";
     if (segment.start == segment.end) return "segment of no length";
-    if (!inside(mesh, element.element, segment.start) || !inside(mesh, element.element, segment.end)) return "segment outside of its element";
+    if (!inside(mesh, element.element, segment.start) || !inside(mesh, element.element, segment.end))
+      return "segment outside of its element";
     if (segment.s_end < segment.s_start) return "arc length runs back";
     if (!segment.joins_previous) continue;
     if (k == 0) return "first segment joins";

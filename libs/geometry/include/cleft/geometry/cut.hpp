@@ -14,22 +14,23 @@
 
 namespace cleft::geometry {
 
-/// A triangle that a crack divides. Arrays of two are indexed by Side.
+/// A triangle that a crack divides. Arrays of two are indexed by Side. One side has area 0, and no sub-triangles, where
+/// the crack runs along an edge or through a node only.
 struct CutElement {
   Index element = kNone;
   Index crack = kNone;
-  std::array<Side, 3> node_side{};                                 ///< the side on which each of its nodes lies
-  std::array<double, 2> area{};                                    ///< m^2; the two add up to the triangle's
-  std::array<std::vector<std::array<Vec2, 3>>, 2> sub_triangles;   ///< counter-clockwise; their areas add up to `area`
+  std::array<Side, 3> node_side{};                                ///< the side on which each of its nodes lies
+  std::array<double, 2> area{};                                   ///< m^2; the two add up to the triangle's
+  std::array<std::vector<std::array<Vec2, 3>>, 2> sub_triangles;  ///< counter-clockwise; their areas add up to `area`
 };
 
 /// The piece of a crack inside one triangle between two consecutive vertices (crossings with mesh edges and kinks), along
 /// the crack's direction. Consecutive segments of a chain share their vertex to the last bit.
 struct FaceSegment {
-  Index cut = kNone;      ///< index into CutMesh::elements
+  Index cut = kNone;  ///< index into CutMesh::elements
   Index crack = kNone;
-  Vec2 start, end;        ///< reference coordinates, metres
-  double s_start = 0.0;   ///< arc length along the crack from its first point, metres
+  Vec2 start, end;       ///< reference coordinates, metres
+  double s_start = 0.0;  ///< arc length along the crack from its first point, metres
   double s_end = 0.0;
   bool joins_previous = false;  ///< the previous entry of CutMesh::segments ends where this one starts
 };
@@ -37,13 +38,13 @@ struct FaceSegment {
 /// What became of one end of a crack.
 struct CrackEnd {
   enum class Kind { Tip, Mouth } kind = Kind::Tip;  ///< inside the body, or at (or beyond) its boundary
-  Vec2 nominal;        ///< the polyline's end
-  Vec2 effective;      ///< where the cut really ends: on an element edge, or on the boundary
-  double s = 0.0;      ///< arc length of `effective` (below 0 or above the nominal length where the tip was moved out)
+  Vec2 nominal;                                     ///< the polyline's end
+  Vec2 effective;                                   ///< where the cut really ends: on an element edge, or on the boundary
+  double s = 0.0;  ///< arc length of `effective` (below 0 or above the nominal length where the tip was moved out)
 };
 
 struct CrackCut {
-  Index first_segment = 0;      ///< its segments are [first_segment, last_segment) of CutMesh::segments
+  Index first_segment = 0;  ///< its segments are [first_segment, last_segment) of CutMesh::segments
   Index last_segment = 0;
   std::array<CrackEnd, 2> ends;
 };
@@ -51,11 +52,11 @@ struct CrackCut {
 /// A mesh cut by cracks.
 struct CutMesh {
   std::vector<CutElement> elements;
-  std::vector<Index> cut_of_element;   ///< per triangle: index into `elements`, or kNone
-  std::vector<FaceSegment> segments;   ///< crack after crack, in each along its direction
+  std::vector<Index> cut_of_element;  ///< per triangle: index into `elements`, or kNone
+  std::vector<FaceSegment> segments;  ///< crack after crack, in each along its direction
   std::vector<CrackCut> cracks;
-  std::vector<Index> tip_nodes;        ///< nodes at which the jump must vanish (never enriched), ascending
-  int snapped = 0;                     ///< crossings within `snap` edge lengths of a node, moved onto it
+  std::vector<Index> tip_nodes;  ///< nodes at which the jump must vanish (never enriched), ascending
+  int snapped = 0;               ///< crossings within `snap` edge lengths of a node, moved onto it
 };
 
 /// Crossings nearer to a node than this fraction of the edge are moved onto the node.

@@ -37,10 +37,12 @@ class SegmentGrid {
     return position > 0.0 ? static_cast<std::int64_t>(position) : std::int64_t{0};  // not a number counts as 0
   }
   Cells cells_of(const Vec2& low, const Vec2& high) const {
-    return {{cell_of(low.x() - low_.x()), cell_of(low.y() - low_.y())}, {cell_of(high.x() - low_.x()), cell_of(high.y() - low_.y())}};
+    return {{cell_of(low.x() - low_.x()), cell_of(low.y() - low_.y())},
+            {cell_of(high.x() - low_.x()), cell_of(high.y() - low_.y())}};
   }
   std::size_t bucket_of(std::int64_t i, std::int64_t j) const {
-    const auto mixed = (static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U) ^ (static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fU);
+    const auto mixed =
+        (static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U) ^ (static_cast<std::uint64_t>(j) * 0xc2b2ae3d27d4eb4fU);
     return static_cast<std::size_t>((mixed ^ (mixed >> 32U)) & mask_);
   }
 

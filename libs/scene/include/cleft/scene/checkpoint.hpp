@@ -1,0 +1,29 @@
+/// \file
+/// Everything that a run needs to go on bit for bit.
+#pragma once
+
+#include <map>
+
+#include "cleft/assembly/stepping.hpp"
+#include "cleft/scene/vtu.hpp"
+
+namespace cleft::scene {
+
+struct Checkpoint {
+  std::string scene_hash;
+  assembly::State state;
+  assembly::StepPlace place;
+  assembly::ContactRoom room;
+  long iterations = 0, cuts = 0;
+  double worst_residual = 0.0;
+  double seconds = 0.0;
+  std::map<std::string, std::uint64_t> log_bytes;  ///< length of each growing file
+  std::vector<PvdEntry> outputs;
+};
+
+std::string to_bytes(const Checkpoint& checkpoint);
+
+/// Throws std::runtime_error, naming `path`, if the bytes are not a checkpoint of this version or are damaged.
+Checkpoint checkpoint_from(const std::string& bytes, const std::string& path);
+
+}  // namespace cleft::scene

@@ -1,0 +1,53 @@
+/// \file
+/// A run: a scene solved increment by increment, with its files on disk.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "cleft/assembly/stepping.hpp"
+#include "cleft/scene/description.hpp"
+
+namespace cleft::scene {
+
+/// Where a run stands, for whoever shows it.
+struct Progress {
+  double load = 0.0;          ///< of the last converged increment
+  int increment = 0;          ///< under way, from 1
+  int iteration = 0;          ///< 0: the increment has just converged
+  double residual = 0.0;
+  long iterations = 0, cuts = 0;
+  int contact_points = 0;
+  double elapsed = 0.0;       ///< seconds
+  double rest = 0.0;          ///< estimate, seconds
+};
+
+struct RunOptions {
+  std::string directory;
+  bool resume = false;
+  int threads = 1;
+  std::function<void(const Progress&)> observer;
+  const std::atomic<bool>* stop = nullptr;  ///< set to end the run after the increment under way
+};
+
+struct RunResult {
+  enum class End { Done, Failed, Stopped } end = End::Done;
+  assembly::Failure failure;
+  double load = 0.0;
+  long increments = 0, iterations = 0, cuts = 0;
+  double worst_residual = 0.0;
+  double newton_order = 0.0;          ///< median over the increments that allow to tell; 0: none
+  assembly::Energies energies;
+  double seconds = 0.0;
+  double yardstick = 0.0;             ///< iterations times one factorisation and solve, seconds
+  double bulk_microseconds = 0.0;     ///< assembly with tangent, per cell and iteration
+  double contact_microseconds = 0.0;  ///< search, law and tangent, per contact point and iteration
+  double peak_megabytes = 0.0;
+};
+
+/// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad scene,
+/// std::runtime_error where files cannot be written or a checkpoint does not fit.
+RunResult run(const Scene& scene, const RunOptions& options);
+
+}  // namespace cleft::scene

@@ -1,0 +1,105 @@
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace cleft::scene {
+namespace {
+
+std::string crack_file(const std::string& name) { return "crack_" + name + ".csv"; }
+
+const char* name_of(contact::Status status) {
+  switch (status) {
+    case contact::Status::Open: return "open";
+    case contact::Status::Stick: return "stick";
+    case contact::Status::Slip: return "slip";
+  }
+  return "";
+}
+
+}  // namespace
+
+Results::Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed)
+    : scene_(scene), model_(model), directory_(std::move(directory)) {
+  std::string history = "step,load,iterations,cuts";
+  for (const auto& p : model.prescribed) history += fmt::format(",fx_{0},fy_{0}", p.name);
+  history +=
+      ",elastic_energy,contact_energy,plastic_dissipation,viscous_dissipation,friction_dissipation,external_work,contact_points,"
+      "slipping_points,max_slip,min_gap,max_pressure,max_plastic_strain\n";
+  open("history.csv", history, resumed);
+  open("newton.csv",
+       "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds\n", resumed);
+  for (const auto& crack : model.cracks)
+    open(crack_file(crack.name),
+         "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n", resumed);
+  if (resumed) outputs_ = resumed->outputs;
+  write_atomically(path("fields.pvd"), pvd_text(outputs_));
+}
+
+void Results::open(const std::string& file, const std::string& header, const Checkpoint* resumed) {
+  if (resumed)
+    logs_.emplace(file, LineLog(path(file), resumed->log_bytes.at(file)));
+  else
+    logs_.emplace(file, LineLog(path(file), header));
+}
+
+std::map<std::string, std::uint64_t> Results::log_bytes() const {
+  std::map<std::string, std::uint64_t> out;
+  for (const auto& [name, log] : logs_) out[name] = log.bytes();
+  return out;
+}
+
+void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& stepper) {
+  std::string rows;
+  for (std::size_t k = 0; k < step.iterations.size(); ++k) {
+    const auto& i = step.iterations[k];
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1, i.residual, i.correction,
+                   i.energy, i.partner_changes, i.status_changes, i.factor_seconds, i.assembly_seconds);
+  }
+  // the residual that the last correction left, with no correction of its own
+  fmt::format_to(std::back_inserter(rows), "{},{},{},{},0,0,0,0,0,0\n", step.number, step.load, step.iterations.size() + 1,
+                 step.final_residual);
+  logs_.at("newton.csv").append(rows);
+
+  std::string row = fmt::format("{},{},{},{}", step.number, step.load, step.iterations.size(), step.cuts);
+  for (const Vec2& r : stepper.reactions()) row += fmt::format(",{},{}", r.x(), r.y());
+  const auto& e = stepper.state().energies;
+  int touching = 0, slipping = 0;
+  double slip = 0.0, gap = 0.0, pressure = 0.0;
+  for (const auto& q : profile(stepper)) {
+    touching += q.status != contact::Status::Open;
+    slipping += q.status == contact::Status::Slip;
+    slip = std::max(slip, q.slip);
+    if (!std::isnan(q.gap)) gap = std::min(gap, q.gap);
+    pressure = std::max(pressure, q.pressure);
+  }
+  row += fmt::format(",{},{},0,0,{},{},{},{},{},{},{},0\n", e.elastic, e.contact, e.friction_dissipation, e.external_work, touching,
+                     slipping, slip, gap, pressure);
+  logs_.at("history.csv").append(row);
+}
+
+void Results::add_fields(const assembly::LoadStepper& stepper) {
+  const double load = stepper.state().load;
+  const auto points = profile(stepper);
+  std::map<Index, std::string> rows;
+  for (const auto& q : points)
+    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
+                   q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(), q.current.x(), q.current.y(),
+                   q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status), q.partner_s, q.partner_pressure);
+  for (const auto& [crack, text] : rows) logs_.at(crack_file(model_.cracks[crack].name)).append(text);
+
+  const int number = static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
+  const auto& u = stepper.state().displacement;
+  const auto add = [&](int part, const std::string& file, const VtuGrid& grid) {
+    write_atomically(path(file), vtu_text(grid));
+    outputs_.push_back({load, part, file});
+  };
+  add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(model_, u));
+  if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(model_, u, points));
+  write_atomically(path("fields.pvd"), pvd_text(outputs_));
+}
+
+}  // namespace cleft::scene

@@ -1,0 +1,191 @@
+#include "cleft/scene/run.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cleft/scene/problem.hpp"
+#include "cleft/support/timer.hpp"
+#include "results.hpp"
+
+namespace cleft::scene {
+namespace {
+
+// The BLAS behind the factorisation is found at run time: whichever the system has.
+void set_blas_threads(int threads) {
+  if (auto* set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(threads);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+// Order of the last three residuals above rounding: log(r2/r3) / log(r1/r2); 0 where they do not tell.
+double order_of(const assembly::Step& step) {
+  constexpr double kRounding = 1e-13;
+  std::vector<double> r;
+  for (const auto& i : step.iterations) r.push_back(i.residual);
+  r.push_back(step.final_residual);
+  while (r.size() > 3 && r.back() < kRounding) r.pop_back();
+  if (r.size() < 3) return 0.0;
+  const double a = r[r.size() - 3], b = r[r.size() - 2], c = r.back();
+  return c > 0.0 && b > 0.0 && b < a ? std::log(b / c) / std::log(a / b) : 0.0;
+}
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0.0;
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
+  Checkpoint c = checkpoint_from(read_bytes(path), path);
+  if (c.scene_hash != scene_hash(scene))
+    throw std::runtime_error(path + ": the checkpoint belongs to another scene; run without --resume, or into another folder");
+  return c;
+}
+
+struct Seconds {
+  double cut = 0.0, write = 0.0;
+};
+
+nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& stepper, const RunResult& result, const Seconds& seconds) {
+  const auto& model = stepper.model();
+  const auto& assembly = stepper.assembler().seconds();
+  const auto& solver = stepper.solver().seconds();
+  const char* const ends[] = {"done", "failed", "stopped"};
+  nlohmann::ordered_json j;
+  j["cleft"] = CLEFT_VERSION;
+  j["end"] = ends[static_cast<int>(result.end)];
+  if (result.end == RunResult::End::Failed) j["failure"] = assembly::describe(result.failure);
+  j["load"] = result.load;
+  j["mesh"] = {{"nodes", model.mesh.nodes.size()}, {"elements", model.mesh.triangles.size()}, {"cut_elements", model.cut.elements.size()}};
+  j["unknowns"] = {{"standard", 2 * model.unknowns.nodes}, {"enriched", 2 * model.unknowns.enriched()},
+                   {"prescribed", stepper.constraints().size()}, {"contact_points", model.surfaces.points.size()}};
+  j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric ? "symmetric" : "unsymmetric";
+  j["seconds"] = {{"total", result.seconds}, {"cut", seconds.cut}, {"assembly", assembly.bulk}, {"contact", assembly.contact},
+                  {"pattern", assembly.pattern}, {"analyse", solver.analyse}, {"factorise", solver.factorise},
+                  {"solve", solver.solve}, {"write", seconds.write}};
+  j["factorisations"] = solver.factorisations;
+  j["analyses"] = solver.analyses;
+  j["yardstick_seconds"] = result.yardstick;
+  j["microseconds"] = {{"cell", result.bulk_microseconds}, {"contact_point", result.contact_microseconds}};
+  j["peak_megabytes"] = result.peak_megabytes;
+  j["increments"] = result.increments;
+  j["iterations"] = result.iterations;
+  j["cuts"] = result.cuts;
+  j["worst_residual"] = result.worst_residual;
+  j["newton_order"] = result.newton_order;
+  if (scene.exact && result.end == RunResult::End::Done) {
+    const auto e = error_norms(model, make_field(*scene.exact, model.constants()), stepper.state().load, stepper.state().displacement);
+    j["error"] = {{"l2", e.l2}, {"l2_relative", e.l2 / e.l2_exact}, {"energy", e.energy}, {"energy_relative", e.energy / e.energy_exact}};
+  }
+  j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
+  return j;
+}
+
+}  // namespace
+
+RunResult run(const Scene& scene, const RunOptions& options) {
+  set_blas_threads(options.threads);
+  double total = 0.0;
+  const PhaseTimer clock(total);
+  Seconds seconds;
+  assembly::Model model;
+  {
+    const PhaseTimer timer(seconds.cut);
+    model = build_model(scene);
+  }
+  std::filesystem::create_directories(options.directory);
+  const std::string checkpoint_path = options.directory + "/checkpoint";
+  Checkpoint kept;
+  if (options.resume) kept = read_checkpoint(scene, checkpoint_path);
+
+  assembly::LoadStepper stepper(model, step_controls(scene));
+  Results results(scene, model, options.directory, options.resume ? &kept : nullptr);
+  if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
+  else std::filesystem::remove(checkpoint_path);
+
+  RunResult result;
+  result.increments = kept.place.number;
+  result.iterations = kept.iterations;
+  result.cuts = kept.cuts;
+  result.worst_residual = kept.worst_residual;
+  const long iterations_before = kept.iterations;
+  const double load_before = stepper.state().load;
+  std::vector<double> orders;
+  Progress progress;
+  const auto tell = [&](int iteration, double residual) {
+    if (!options.observer) return;
+    progress.load = stepper.state().load;
+    progress.increment = static_cast<int>(result.increments) + (iteration > 0);
+    progress.iteration = iteration;
+    progress.residual = residual;
+    progress.iterations = result.iterations;
+    progress.cuts = result.cuts;
+    progress.elapsed = clock.seconds();
+    const double covered = progress.load - load_before;
+    progress.rest = covered > 0.0 ? progress.elapsed * (1.0 - progress.load) / covered : 0.0;
+    options.observer(progress);
+  };
+
+  while (!stepper.done()) {
+    if (options.stop && *options.stop) {
+      result.end = RunResult::End::Stopped;
+      break;
+    }
+    const auto outcome = stepper.advance([&](int i, const assembly::Iteration& it) { tell(i, it.residual); });
+    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      result.end = RunResult::End::Failed;
+      result.failure = *failure;
+      break;
+    }
+    const auto& step = std::get<assembly::Step>(outcome);
+    result.increments = step.number;
+    result.iterations += static_cast<long>(step.iterations.size());
+    result.cuts += step.cuts;
+    result.worst_residual = std::max(result.worst_residual, step.final_residual);
+    if (const double order = order_of(step); order > 0.0) orders.push_back(order);
+    progress.contact_points = static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
+      return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
+    }));
+    {
+      const PhaseTimer timer(seconds.write);
+      results.add_step(step, stepper);
+      const auto& wanted = scene.loading.outputs;
+      const bool output = scene.loading.every_step || std::any_of(wanted.begin(), wanted.end(), [&](double l) { return std::fabs(l - step.load) < 1e-12; });
+      if (output) results.add_fields(stepper);
+      Checkpoint now{scene_hash(scene), stepper.state(), stepper.place(), stepper.assembler().room(), result.iterations, result.cuts,
+                     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(), results.outputs()};
+      write_atomically(checkpoint_path, to_bytes(now));
+    }
+    tell(0, step.final_residual);
+  }
+
+  result.load = stepper.state().load;
+  result.energies = stepper.state().energies;
+  result.newton_order = median(orders);
+  const auto& solver = stepper.solver().seconds();
+  const auto iterations = static_cast<double>(std::max(1L, result.iterations - iterations_before));
+  const auto factorisations = static_cast<double>(std::max(1L, solver.factorisations));
+  result.yardstick = iterations * (solver.factorise + solver.solve) / factorisations;
+  const auto& assembly = stepper.assembler().seconds();
+  // every iteration assembles once, and every increment once more to find that it has converged
+  const double evaluations = iterations + static_cast<double>(result.increments - kept.place.number);
+  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.cells.size()));
+  if (model.has_contact())
+    result.contact_microseconds = 1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));
+  result.peak_megabytes = peak_megabytes();
+  result.seconds = clock.seconds();
+  write_atomically(results.path("run.json"), summary(scene, stepper, result, seconds).dump(2) + "\n");
+  return result;
+}
+
+}  // namespace cleft::scene

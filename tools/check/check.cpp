@@ -1,0 +1,56 @@
+// cleft check: reads, validates and cuts; solves nothing.
+#include <fmt/format.h>
+
+#include "cleft/scene/problem.hpp"
+#include "cleft/scene/read.hpp"
+#include "verbs.hpp"
+
+namespace cleft::tools {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> overrides;
+};
+
+void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, value); }
+
+int check(const Options& options) {
+  const auto scene = scene::read_scene(options.scene, options.overrides);
+  const auto model = scene::build_model(scene);
+  const auto constraints = assembly::constraints_of(model);
+  if (!scene.title.empty()) print("title", scene.title);
+  print("elements", fmt::format("{} ({} cut)", model.mesh.triangles.size(), model.cut.elements.size()));
+  print("nodes", fmt::format("{}", model.mesh.nodes.size()));
+  print("unknowns, standard", fmt::format("{}, {} of them prescribed", 2 * model.unknowns.nodes, constraints.size()));
+  print("unknowns, enriched", fmt::format("{}", 2 * model.unknowns.enriched()));
+  print("contact points", fmt::format("{}", model.surfaces.points.size()));
+  for (std::size_t k = 0; k < model.cracks.size(); ++k) {
+    const auto& cut = model.cut.cracks[k];
+    const auto end = [](const geometry::CrackEnd& e) {
+      return fmt::format("{} at ({:.6g}, {:.6g})", e.kind == geometry::CrackEnd::Kind::Tip ? "tip" : "mouth", e.effective.x(), e.effective.y());
+    };
+    print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment, end(cut.ends[0]), end(cut.ends[1])));
+    const auto& law = model.surfaces.laws[k];
+    print("", fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty, law.tangential_penalty));
+  }
+  if (model.cut.snapped > 0) print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
+  const bool contact = model.has_contact();
+  print("kinematics", "finite");
+  print("material", scene.material.model);
+  print("switched on", contact ? "cutting, enrichment, contact search, friction" : "plain finite elements");
+  print("factorisation", contact ? "unsymmetric (UMFPACK)" : "symmetric (CHOLMOD)");
+  return kDone;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& result) {
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand("check", "read and validate a scene and say what would be solved");
+  verb->add_option("scene", options->scene, "scene file (TOML)")->required();
+  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")->allow_extra_args(false);
+  verb->callback([options, &result] { result = check(*options); });
+}
+
+}  // namespace cleft::tools

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+
+#include <exception>
+
+#include "cleft/support/error.hpp"
+#include "verbs.hpp"
+
+int main(int argc, char** argv) {
+  using namespace cleft::tools;
+  CLI::App app{"cleft: frictional cracks in solids at large deformation"};
+  app.name("cleft");
+  app.require_subcommand(1);
+  int result = kDone;
+  add_run(app, result);
+  add_check(app, result);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kBadInput;
+  } catch (const cleft::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "cleft: {}\n", error.what());
+    return kBadInput;
+  }
+  return result;
+}

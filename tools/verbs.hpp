@@ -1,0 +1,15 @@
+// The verbs of the program. Each adds its options to the command line and is run by main.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace cleft::tools {
+
+/// Exit codes of the program.
+enum Exit { kDone = 0, kCheckFailed = 1, kBadInput = 2, kFailed = 3 };
+
+/// `result` receives the exit code when the verb is run.
+void add_run(CLI::App& app, int& result);
+void add_check(CLI::App& app, int& result);
+
+}  // namespace cleft::tools
