@@ -1,6 +1,8 @@
 # cmake -DWORK=<scratch folder> -P arrows.cmake
 # Configures projects that declare one library each: forbidden arrows must be refused by name, allowed ones pass.
 
+cmake_minimum_required(VERSION 3.25)
+
 function(configure name depends)
   file(REMOVE_RECURSE ${WORK})
   execute_process(

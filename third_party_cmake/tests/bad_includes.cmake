@@ -1,6 +1,8 @@
 # cmake -DARROWS=<declared_arrows.cmake> -P bad_includes.cmake
 # The scan of the includes must find the two faults of the folder bad_includes, and only these.
 
+cmake_minimum_required(VERSION 3.25)
+
 execute_process(
   COMMAND ${CMAKE_COMMAND} -DARROWS=${ARROWS} -DSOURCE=${CMAKE_CURRENT_LIST_DIR}/bad_includes
           -P ${CMAKE_CURRENT_LIST_DIR}/includes.cmake

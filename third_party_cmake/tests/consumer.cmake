@@ -1,6 +1,8 @@
 # cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DGENERATOR= -DCOMPILER= -DBUILD_TYPE= -DFLAGS= -P consumer.cmake
 # Installs the build tree, then configures, builds and runs the project `consumer` on what was installed.
 
+cmake_minimum_required(VERSION 3.25)
+
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)

@@ -2,6 +2,8 @@
 # A library may include its own headers and those of the libraries that it declares; and its public headers must not pass
 # on what is heavy: CGAL, the solvers, the readers and writers.
 
+cmake_minimum_required(VERSION 3.25)
+
 include(${CMAKE_CURRENT_LIST_DIR}/../CleftArrows.cmake)
 include(${ARROWS})
 
@@ -15,8 +17,11 @@ foreach(library IN LISTS CLEFT_LIBRARIES)
     math(EXPR scanned "${scanned} + 1")
     file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)
-      if(line MATCHES "[\"<]cleft/([^/]+)/" AND NOT CMAKE_MATCH_1 IN_LIST allowed)
-        string(APPEND faults "\n${file}: ${line}: ${library} does not declare ${CMAKE_MATCH_1}")
+      if(line MATCHES "[\"<]cleft/([^/]+)/")
+        set(used ${CMAKE_MATCH_1})
+        if(NOT used IN_LIST allowed)
+          string(APPEND faults "\n${file}: ${line}: ${library} does not declare ${used}")
+        endif()
       endif()
       if(file MATCHES "/include/" AND line MATCHES "[\"<](CGAL|umfpack|cholmod|suitesparse|toml|pugixml|zlib|nlohmann|spdlog|CLI)")
         string(APPEND faults "\n${file}: ${line}: only sources may include ${CMAKE_MATCH_1}")

@@ -69,19 +69,25 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
 }  // namespace
 
 double rounding_floor(const Model& model, const VecX& displacement) {
-  // Components of F carry errors of the size eps (1 + |u| / h), which the modulus turns into stress, and the stress of each
-  // element into forces; independent errors add up in squares.
-  constexpr double kSafety = 16.0;
+  // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the size
+  // eps |x|, which the penalty turns into forces. Independent errors add up in squares.
+  constexpr double kOperations = 16.0;
   const double reach = displacement.cwiseAbs().maxCoeff();
+  const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
   double sum = 0.0;
   for (const auto& cell : model.cells)
     for (const auto& g : cell.gradient) {
       const double steep = g.norm();
-      const double force = cell.area * steep * (1.0 + reach * steep);
+      const double force = modulus * cell.area * steep * (kOperations + reach * steep);
       sum += force * force;
     }
-  return kSafety * std::numeric_limits<double>::epsilon() * constitutive::uniaxial_strain_modulus(model.constants()) *
-         std::sqrt(sum);
+  for (const auto& point : model.surfaces.points) {
+    const auto& face = model.surfaces.faces[point.face];
+    const auto& law = model.surfaces.laws[face.crack];
+    const double force = point.weight * (law.normal_penalty + law.tangential_penalty) * (face.reference_start.norm() + reach);
+    sum += force * force;
+  }
+  return std::numeric_limits<double>::epsilon() * std::sqrt(sum);
 }
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state, double load,

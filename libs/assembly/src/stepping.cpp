@@ -98,8 +98,7 @@ void LoadStepper::commit(double load, const Increment& increment) {
                                           s.traction.tangential * s.traction.tangential / law.tangential_penalty);
       state_.deepest = std::max(state_.deepest, -s.normal_gap);
     }
-    // the traction before the increment acts through half of the slip (trapezoidal rule)
-    energies.friction_dissipation += weight * std::fabs(s.traction.tangential * step.slip);
+    energies.friction_dissipation += weight * step.dissipation;
     state_.contact[p] = step.memory;
   }
 

@@ -32,9 +32,13 @@ Place walk(const Surfaces& surfaces, const FacePositions& at, Index from, const 
 
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
   const Traction& traction = pair.state.traction;
-  if (pair.partner_face == kNone || traction.status == Status::Open) return {{kNone, 0.0, memory.slip}, 0.0};
-  if (memory.anchor_face == kNone) return {{pair.partner_face, pair.state.partner, memory.slip}, 0.0};
-  if (traction.status == Status::Stick) return {memory, 0.0};
+  if (pair.partner_face == kNone || traction.status == Status::Open) return {{kNone, 0.0, memory.slip, 0.0}, 0.0};
+  if (memory.anchor_face == kNone) return {{pair.partner_face, pair.state.partner, memory.slip, 0.0}, 0.0};
+  if (traction.status == Status::Stick) {
+    Memory kept = memory;
+    kept.tangential = traction.tangential;
+    return {kept, 0.0};
+  }
   const Point& point = surfaces.points[p];
   const Law& law = surfaces.laws[surfaces.faces[point.face].crack];
   const Vec2 along = at.end[point.face] - at.start[point.face];
@@ -42,7 +46,11 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   const double target = traction.tangential / law.tangential_penalty;
   const Place anchor = walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
   const double moved = target - pair.state.tangential_gap;
-  return {{anchor.face, anchor.place, memory.slip + std::fabs(moved)}, moved};
+  // While the point slides on in one sense its traction goes over from the last value to this one; after a reversal it
+  // unloads elastically first.
+  const bool onward = memory.tangential * traction.tangential >= 0.0;
+  const double mean = onward ? 0.5 * (memory.tangential + traction.tangential) : traction.tangential;
+  return {{anchor.face, anchor.place, memory.slip + std::fabs(moved), traction.tangential}, std::fabs(mean * moved)};
 }
 
 }  // namespace cleft::contact

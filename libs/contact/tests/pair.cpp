@@ -80,7 +80,9 @@ TEST_P(Pair, TangentIsTheDerivativeOfTheForce) {
       const PairPoints p = points(angle, sign, b.anchor_along, b.mouth_along);
       const PairState s = evaluate(p, c);
       ASSERT_EQ(s.traction.status, b.status);
-      if (b.mouth != 0) ASSERT_TRUE(s.ramp > 0.1 && s.ramp < 0.9) << s.ramp;
+      if (b.mouth != 0) {
+        ASSERT_TRUE(s.ramp > 0.1 && s.ramp < 0.9) << s.ramp;
+      }
       EXPECT_LT(tangent_error(p, c), 1e-8) << b.name;
     }
 }
@@ -93,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Branches, Pair,
                                          Branch{"stick at the mouth", 0.001, 0.05, 1, true, Status::Stick},
                                          Branch{"slip at the mouth", 0.5, 0.1, 1, true, Status::Slip},
                                          Branch{"slip at the other mouth", -0.5, 0.05, -1, true, Status::Slip}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& branch) {
+                           std::string name = branch.param.name;
                            for (char& ch : name) ch = ch == ' ' ? '_' : ch;
                            return name;
                          });

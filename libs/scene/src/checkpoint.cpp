@@ -76,6 +76,7 @@ void pass(Io& io, Checkpoint& c) {
     io(m.anchor_face);
     io(m.anchor_place);
     io(m.slip);
+    io(m.tangential);
   });
   io(s.deepest);
   io(s.energies);

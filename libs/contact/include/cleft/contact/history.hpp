@@ -9,7 +9,7 @@ namespace cleft::contact {
 /// Slip and work of one increment at one point.
 struct Advance {
   Memory memory;
-  double slip = 0.0;  ///< signed advance of the anchor along t, metres
+  double dissipation = 0.0;  ///< work of friction per unit reference area, J/m^2, not negative
 };
 
 /// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| = mu |t_N|, so that the next

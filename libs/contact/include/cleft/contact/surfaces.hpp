@@ -27,6 +27,7 @@ struct Memory {
   Index anchor_face = kNone;   ///< kNone: no anchor
   double anchor_place = 0.0;
   double slip = 0.0;           ///< cumulative, metres
+  double tangential = 0.0;     ///< t_T of the last converged increment, Pa
 };
 
 /// Everything about contact that does not change during an increment.
