@@ -134,6 +134,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (in_place && (residual <= floor || (it.residual <= controls.residual_tolerance &&
                                            correction <= controls.correction_tolerance))) {
       out.final_residual = it.residual;
+      out.rounding = scale > 0.0 ? floor / scale : 0.0;
       return out;
     }
     if (i == 0) first_residual = residual;

@@ -78,6 +78,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     out.load = load;
     out.iterations = increment.iterations;
     out.final_residual = increment.final_residual;
+    out.rounding = increment.rounding;
     return out;
   }
 }

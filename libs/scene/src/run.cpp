@@ -27,13 +27,12 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// Order of the last three residuals above rounding: log(r2/r3) / log(r1/r2); 0 where they do not tell.
+// Order of the last three residuals above rounding: log(r2/r3) / log(r1/r2); 0 where there are no three.
 double order_of(const assembly::Step& step) {
-  constexpr double kRounding = 1e-13;
   std::vector<double> r;
   for (const auto& i : step.iterations) r.push_back(i.residual);
   r.push_back(step.final_residual);
-  while (r.size() > 3 && r.back() < kRounding) r.pop_back();
+  while (!r.empty() && r.back() <= step.rounding) r.pop_back();
   if (r.size() < 3) return 0.0;
   const double a = r[r.size() - 3], b = r[r.size() - 2], c = r.back();
   return c > 0.0 && b > 0.0 && b < a ? std::log(b / c) / std::log(a / b) : 0.0;

@@ -33,6 +33,7 @@ struct Increment {
   VecX displacement;
   std::vector<Iteration> iterations;
   double final_residual = 0.0;  ///< relative, after the last correction
+  double rounding = 0.0;        ///< relative residual that rounding alone may leave
 };
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;

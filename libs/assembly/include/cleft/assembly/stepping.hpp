@@ -19,7 +19,8 @@ struct Step {
   double load = 0.0;
   int cuts = 0;                 ///< attempts that failed before it converged
   std::vector<Iteration> iterations;
-  double final_residual = 0.0;
+  double final_residual = 0.0;  ///< relative
+  double rounding = 0.0;        ///< relative residual that rounding alone may leave
 };
 
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
