@@ -1,21 +1,37 @@
-# Sourced by run.sh and test.sh: installs what is missing and goes to the project's root.
+# Sourced by run.sh and test.sh: goes to the root of the project, installs the packages that are missing (nothing missing:
+# nothing is asked of the network) and gives them `build`.
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd "$(dirname "${BASH_SOURCE[0]}")/.." > /dev/null
 
-missing=()
-while read -r package; do
-  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-done < tools/packages.txt
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "== installing Debian packages: ${missing[*]}"
-  as_root=()
-  [ "$(id -u)" -eq 0 ] || as_root=(sudo)
-  "${as_root[@]}" apt-get update -q
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
-fi
+say() { printf '== %s\n' "$*"; }
 
-build() {
-  echo "== configuring and building the release preset ($*)"
-  cmake --preset release
-  cmake --build --preset release --parallel "$(nproc)" --target "$@"
+is_installed() { dpkg-query --show --showformat='${db:Status-Status}\n' "$1" 2> /dev/null | grep -qx installed; }
+
+install_missing_packages() {
+  local package missing=() as_root=()
+  while read -r package; do
+    is_installed "$package" || missing+=("$package")
+  done < <(grep -v '^#' tools/packages.txt | grep .)
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+
+  if [[ $(id -u) -ne 0 ]]; then
+    if ! command -v sudo > /dev/null; then
+      say "these packages are missing; install them as root, or install sudo: ${missing[*]}" >&2
+      exit 1
+    fi
+    as_root=(sudo)
+  fi
+  say "installing ${#missing[@]} missing packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update --quiet
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
 }
+
+# build TARGET: configures the release preset and builds one of its targets.
+build() {
+  say "configuring and building the release preset in build/release (target $1)"
+  cmake --preset release
+  cmake --build --preset release --parallel "$(nproc)" --target "$1"
+}
+
+install_missing_packages

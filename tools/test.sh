@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds cleft and runs all its tests.
+# Builds everything and runs all tests.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 build all
-echo "== running the tests"
-ctest --preset release
+
+say "running the tests"
+ctest --test-dir build/release --output-on-failure -j2

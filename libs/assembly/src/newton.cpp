@@ -129,12 +129,12 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double scale = std::max({std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()});
     const double floor = rounding_floor(model, u);
     const double residual = rhs.norm();
-    it.residual = scale > 0.0 ? residual / scale : 0.0;
+    it.residual = residual / std::max(scale, floor);
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
     if (in_place && (residual <= floor || (it.residual <= controls.residual_tolerance &&
                                            correction <= controls.correction_tolerance))) {
       out.final_residual = it.residual;
-      out.rounding = scale > 0.0 ? floor / scale : 0.0;
+      out.rounding = floor / std::max(scale, floor);
       return out;
     }
     if (i == 0) first_residual = residual;

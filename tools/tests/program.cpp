@@ -1,0 +1,143 @@
+// The program as a user meets it: exit codes, messages, nothing written on bad input, resuming after a kill.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "cleft/scene/files.hpp"
+
+namespace cleft::tools {
+namespace {
+
+const std::string kScenes = std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/";
+
+struct Outcome {
+  int code;
+  std::string text;  // of both streams
+};
+
+Outcome call(const std::string& arguments) {
+  FILE* pipe = popen((std::string(CLEFT_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  char buffer[4096];
+  while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
+  return {WEXITSTATUS(pclose(pipe)), text};
+}
+
+std::string fresh(const std::string& name) {
+  const std::string path = testing::TempDir() + "cleft_program_" + name;
+  std::filesystem::remove_all(path);
+  return path;
+}
+
+TEST(Program, RunsAScene) {
+  const std::string out = fresh("runs");
+  const Outcome o = call("run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out);
+  EXPECT_EQ(o.code, 0) << o.text;
+  for (const char* file : {"history.csv", "newton.csv", "crack_main.csv", "fields.pvd", "fields_0000.vtu", "run.json", "checkpoint"})
+    EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
+  EXPECT_NE(o.text.find("imbalance"), std::string::npos) << "the energy balance is printed";
+}
+
+TEST(Program, CheckSaysWhatASceneSwitchesOn) {
+  const Outcome plain = call("check " + kScenes + "plain.toml");
+  EXPECT_EQ(plain.code, 0);
+  EXPECT_NE(plain.text.find("unknowns, enriched       0\n"), std::string::npos) << plain.text;
+  EXPECT_NE(plain.text.find("symmetric (CHOLMOD)"), std::string::npos);
+  const Outcome block = call("check " + kScenes + "block.toml");
+  EXPECT_EQ(block.code, 0);
+  EXPECT_NE(block.text.find("UMFPACK"), std::string::npos) << block.text;
+}
+
+struct Bad {
+  const char* name;
+  const char* overrides;
+  const char* message;
+};
+
+class BadScene : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadScene, ExitsWithTwoNamesTheKeyAndWritesNothing) {
+  const std::string out = fresh(std::string("bad_") + GetParam().name);
+  const Outcome o = call("run " + kScenes + "block.toml " + GetParam().overrides + " -o " + out);
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.text.find(GetParam().message), std::string::npos) << o.text;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadScene,
+    testing::Values(Bad{"unknown_key", "--set mesh.cels=[1,2]", "mesh.cels: unknown key; did you mean 'cells'?"},
+                    Bad{"wrong_type", "--set material.young=true", "material.young: not a number"},
+                    Bad{"poisson_low", "--set material.poisson=-1.0", "allowed: greater than -1 and less than 0.5"},
+                    Bad{"poisson_high", "--set material.poisson=0.5", "allowed: greater than -1 and less than 0.5"},
+                    Bad{"empty_mesh", "--set mesh.cells=[0,4]", "mesh.cells"},
+                    Bad{"empty_box", "--set mesh.box=[0,0,0,1]", "the box is empty"},
+                    Bad{"crack_outside", "--set crack.main.points=[[1,1],[2,2]]", "block.toml:15:1: crack[0] 'main': lies outside of the body"}),
+    [](const auto& bad) { return bad.param.name; });
+
+TEST(Program, RefusesCrossingCracksAtTheirLine) {
+  const std::string scene = testing::TempDir() + "cleft_program_crossing.toml", out = fresh("crossing");
+  std::ofstream(scene) << scene::read_bytes(kScenes + "block.toml") << "\n[[crack]]\nname = \"other\"\npoints = [[0.0, 0.05], [0.04, 0.02]]\n";
+  const Outcome o = call("run " + scene + " -o " + out);
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.text.find("crack[0] 'main': crosses or touches crack other"), std::string::npos) << o.text;
+  EXPECT_NE(o.text.find("cleft_program_crossing.toml:15:1"), std::string::npos) << o.text;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Program, NamesAMissingFileAndAWrongCommandLine) {
+  EXPECT_EQ(call("run nowhere.toml -o " + fresh("missing")).code, 2);
+  EXPECT_NE(call("check nowhere.toml").text.find("nowhere.toml: there is no such file"), std::string::npos);
+  EXPECT_EQ(call("run").code, 2);
+  EXPECT_EQ(call("walk").code, 2);
+}
+
+TEST(Program, AFailedSolutionKeepsWhatConvergedAndSaysWhy) {
+  const std::string out = fresh("failed");
+  const Outcome o = call("run " + kScenes + "block.toml --set solver.max_iterations=3 --set solver.min_step=0.01 -o " + out);
+  EXPECT_EQ(o.code, 3) << o.text;
+  EXPECT_NE(o.text.find("failed at load"), std::string::npos) << o.text;
+  EXPECT_NE(o.text.find("; try "), std::string::npos) << o.text;
+  EXPECT_TRUE(std::filesystem::exists(out + "/history.csv"));
+}
+
+// Kills the program at several moments and resumes it until it is done.
+TEST(Program, AKilledRunResumesToTheSameHistory) {
+  const std::string arguments = "run " + kScenes + "block.toml --set 'mesh.cells=[16,32]' -o ";
+  const std::string whole = fresh("whole"), killed = fresh("killed");
+  ASSERT_EQ(call(arguments + whole).code, 0);
+  int kills = 0;
+  for (int k = 0; k < 40; ++k) {
+    const bool resume = std::filesystem::exists(killed + "/checkpoint");
+    const pid_t child = fork();
+    if (child == 0) {
+      if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(1);
+      const std::string scene = kScenes + "block.toml";
+      execl(CLEFT_PROGRAM, CLEFT_PROGRAM, "run", scene.c_str(), "--set", "mesh.cells=[16,32]", "-o", killed.c_str(),
+            resume ? "--resume" : nullptr, nullptr);
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 7 * k));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (WIFEXITED(status)) {
+      ASSERT_EQ(WEXITSTATUS(status), 0);
+      break;
+    }
+    ++kills;
+  }
+  EXPECT_GE(kills, 2);
+  for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd"})
+    EXPECT_EQ(scene::read_bytes(killed + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+}
+
+}  // namespace
+}  // namespace cleft::tools
