@@ -2,6 +2,8 @@
 #include "cleft/scene/run.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -29,7 +31,7 @@ void show(const scene::Progress& p, bool live) {
   if (live)
     fmt::print(stderr, "\r\x1b[K{}{}", line, p.iteration > 0 ? fmt::format("  it {}", p.iteration) : "");
   else if (p.iteration == 0)
-    fmt::print(stderr, "{}\n", line);
+    spdlog::info(line);
 }
 
 void print_summary(const scene::RunResult& r, const std::string& directory) {
@@ -56,6 +58,8 @@ struct Options {
 int solve(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   auto run = options.run;
+  spdlog::set_default_logger(spdlog::stderr_color_mt("cleft"));
+  spdlog::set_pattern("%T %^%l%$  %v");
   const bool live = isatty(STDERR_FILENO) != 0;
   run.observer = [live](const scene::Progress& p) { show(p, live); };
   run.stop = &interrupted;
@@ -66,9 +70,9 @@ int solve(const Options& options) {
   print_summary(result, run.directory);
   if (result.end == scene::RunResult::End::Done) return kDone;
   if (result.end == scene::RunResult::End::Stopped)
-    fmt::print(stderr, "interrupted at load {:.6g}; go on with --resume\n", result.load);
+    spdlog::warn("interrupted at load {:.6g}; go on with --resume", result.load);
   else
-    fmt::print(stderr, "failed at load {:.6g}: {}; try {}\n", result.load, assembly::describe(result.failure), result.failure.advice);
+    spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure), result.failure.advice);
   return kFailed;
 }
 

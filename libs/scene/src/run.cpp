@@ -51,6 +51,16 @@ Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
   return c;
 }
 
+// Files of an earlier run in the same folder that this one might not replace.
+void remove_results(const std::string& directory) {
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name == "checkpoint" || name == "run.json" || (name.starts_with("fields_") && name.ends_with(".vtu")) ||
+                      (name.starts_with("crack_") && name.ends_with(".csv"));
+    if (ours && entry.is_regular_file()) std::filesystem::remove(entry.path());
+  }
+}
+
 struct Seconds {
   double cut = 0.0, write = 0.0;
 };
@@ -107,10 +117,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   Checkpoint kept;
   if (options.resume) kept = read_checkpoint(scene, checkpoint_path);
 
+  if (!options.resume) remove_results(options.directory);
   assembly::LoadStepper stepper(model, step_controls(scene));
   Results results(scene, model, options.directory, options.resume ? &kept : nullptr);
   if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
-  else std::filesystem::remove(checkpoint_path);
 
   RunResult result;
   result.increments = kept.place.number;
