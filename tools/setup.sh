@@ -22,7 +22,7 @@ install_missing_packages() {
     as_root=(sudo)
   fi
   say "installing ${#missing[@]} missing packages: ${missing[*]}"
-  "${as_root[@]}" apt-get update --quiet
+  "${as_root[@]}" apt-get update --quiet || say "the package lists could not be renewed; going on with the old ones" >&2
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
 }

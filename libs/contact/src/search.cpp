@@ -12,6 +12,7 @@ constexpr double kVertex = 1e-10;  // both neighbours of a vertex are tried, so 
 struct Ray {
   Vec2 y, t, n;
   double length, reach;
+  Index crack;
 };
 
 struct Hit {
@@ -25,7 +26,7 @@ Ray ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double ra
   const double length = along.norm();
   const Vec2 t = along / length;
   const double sign = surfaces.faces[point.face].normal_sign();
-  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius};
+  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius, surfaces.faces[point.face].crack};
 }
 
 // Where the ray's line meets the line of a face, if that face looks at the ray.
@@ -35,6 +36,8 @@ bool meets(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, In
   if (surfaces.faces[f].normal_sign() * turn_left(e).dot(ray.n) >= 0.0 || et == 0.0) return false;
   xi = (ray.y - at.start[f]).dot(ray.t) / et;
   gap = (at.start[f] + xi * e - ray.y).dot(ray.n);
+  // The face of another crack deeper inside than an element is not penetrated but simply behind the body in between.
+  if (surfaces.faces[f].crack != ray.crack && gap < -surfaces.element_size) return false;
   return std::fabs(gap) <= ray.reach;
 }
 
