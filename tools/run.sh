@@ -7,11 +7,11 @@ results=results/block
 say "running verification/scenes/block.toml on 16 x 32 cells"
 build/release/bin/cleft run verification/scenes/block.toml --set 'mesh.cells=[16,32]' -o "$results"
 
-say "results are in $PWD/$results; reactions of the top edge:"
+say "results are in $PWD/$results; reactions of the top edge, N/m:"
 awk -F, '
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
   $column["load"] == 0.5 || $column["load"] == 1 {
-    printf "   load %.1f   fx_top %13.6e N/m   fy_top %13.6e N/m\n", $column["load"], $column["fx_top"], $column["fy_top"]
+    printf "   load %.1f   fx %14.1f   fy %14.1f\n", $column["load"], $column["fx_top"], $column["fy_top"]
     ++found
   }
   END { if (found != 2) { print "   history.csv lacks the rows of loads 0.5 and 1.0"; exit 1 } }

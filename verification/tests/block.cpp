@@ -25,7 +25,9 @@ TEST_P(Block, ReachesFullLoadWithoutAFailedIncrementInFewIterations) {
   EXPECT_GT(run.result.newton_order, 1.5);
   // what the trapezoidal sums of work and friction leave, largest in the first increment and where points open and close
   EXPECT_LT(std::fabs(run.result.energies.imbalance()), 0.005 * run.result.energies.external_work);
+#ifndef __SANITIZE_ADDRESS__
   EXPECT_LT(run.result.peak_megabytes, 300.0);
+#endif
   if (std::string(diagonal) == "right") {
     const auto prototype = reference("block_prototype.csv");
     for (const auto& row : prototype.rows) {

@@ -1,0 +1,55 @@
+#include "cleft/scene/checkpoint.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cleft::scene {
+namespace {
+
+Checkpoint example() {
+  Checkpoint c;
+  c.scene_hash = "0123456789abcdef";
+  c.state.load = 0.3;
+  c.state.displacement = VecX::LinSpaced(10, 0.0, 1.0 / 3.0);
+  c.state.previous_displacement = -c.state.displacement;
+  c.state.contact = {{3, 0.25, 1e-3, -7.0}, {kNone, 0.0, 0.0, 0.0}};
+  c.state.prescribed_force = VecX::Ones(4);
+  c.state.energies.elastic = 5.0;
+  c.place = {7, 0.01};
+  c.room = {{1, 2, 3}, {}, {4}};
+  c.iterations = 21;
+  c.log_bytes = {{"history.csv", 1234}, {"newton.csv", 99}};
+  c.outputs = {{0.25, 0, "fields_0000.vtu"}};
+  return c;
+}
+
+TEST(Checkpoint, ComesBackBitForBit) {
+  const Checkpoint c = example();
+  const Checkpoint back = checkpoint_from(to_bytes(c), "checkpoint");
+  EXPECT_EQ(to_bytes(back), to_bytes(c));
+  EXPECT_EQ(back.state.displacement, c.state.displacement);
+  EXPECT_EQ(back.state.contact[0].anchor_face, 3);
+  EXPECT_EQ(back.room, c.room);
+  EXPECT_EQ(back.log_bytes, c.log_bytes);
+  EXPECT_EQ(back.outputs[0].file, "fields_0000.vtu");
+}
+
+TEST(Checkpoint, DamagedOnesAreRefusedByName) {
+  const std::string bytes = to_bytes(example());
+  const auto refused = [](const std::string& b) {
+    try {
+      checkpoint_from(b, "folder/checkpoint");
+      return false;
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what()).starts_with("folder/checkpoint: ");
+    }
+  };
+  for (std::size_t n = 0; n < bytes.size(); ++n) EXPECT_TRUE(refused(bytes.substr(0, n))) << "cut to " << n;
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    std::string altered = bytes;
+    altered[n] = static_cast<char>(altered[n] ^ 0x40);
+    EXPECT_TRUE(refused(altered)) << "byte " << n;
+  }
+}
+
+}  // namespace
+}  // namespace cleft::scene
