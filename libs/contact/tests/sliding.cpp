@@ -1,0 +1,160 @@
+// Search and memory on two flat faces that slide past each other.
+#include <gtest/gtest.h>
+
+#include "cleft/contact/history.hpp"
+
+namespace cleft::contact {
+namespace {
+
+using geometry::Side;
+
+// A square cut by a horizontal crack through the middle of a row of elements; `shift` moves everything above it.
+struct Slider {
+  geometry::Mesh mesh = geometry::structured_mesh({0, 0, 1, 1}, {20, 5}, geometry::Diagonal::Right);
+  geometry::CutMesh cut = geometry::cut(mesh, {{"crack", {{0.0, 0.51}, {1.0, 0.51}}}});
+  enrichment::Unknowns unknowns = enrichment::number_unknowns(mesh, cut);
+  Surfaces surfaces;
+  Search search;
+  std::vector<Pair> pairs;
+  std::vector<Memory> memory;
+
+  explicit Slider(NegativeSide side) {
+    surfaces.faces = enrichment::make_faces(mesh, cut, unknowns);
+    surfaces.laws = {{1e3, 2e3, 0.5}};
+    surfaces.sides = {side};
+    surfaces.element_size = 0.1;
+    surfaces.points = place_points(surfaces, 2);
+    memory = memory_at_rest(surfaces);
+  }
+
+  VecX shift(const Vec2& by, double turn = 0.0) const {
+    Mat2 r;
+    r << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
+    std::vector<Side> side(mesh.nodes.size());
+    for (std::size_t i = 0; i < side.size(); ++i) side[i] = mesh.nodes[i].y() > 0.51 ? Side::Left : Side::Right;
+    VecX u(unknowns.components());
+    for (Index q = 0; q < unknowns.count; ++q) {
+      const Vec2& X = mesh.nodes[unknowns.node_of[q]];
+      const bool above = (side[unknowns.node_of[q]] == Side::Left) == (q < unknowns.nodes);
+      u.segment<2>(2 * q) = r * (X + (above ? by : Vec2::Zero())) - X;
+    }
+    return u;
+  }
+
+  void look(const VecX& u) { search.run(surfaces, u, memory, 0.0, pairs); }
+  void commit() {
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      memory[p] = advance(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
+  }
+};
+
+class Sliding : public testing::TestWithParam<NegativeSide> {};
+INSTANTIATE_TEST_SUITE_P(Sides, Sliding, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
+
+TEST_P(Sliding, PartnersAreThePointsOppositeHoweverLargeTheSlip) {
+  Slider s(GetParam());
+  for (const double along : {0.0, 0.013, 0.4, -0.37}) {
+    s.look(s.shift({along, -1e-3}));
+    int found = 0;
+    for (std::size_t p = 0; p < s.pairs.size(); ++p) {
+      const auto& pair = s.pairs[p];
+      const auto& point = s.surfaces.points[p];
+      const auto& own = s.surfaces.faces[point.face];
+      const double x = own.reference_start.x() + point.eta * (own.reference_end - own.reference_start).x();
+      const double opposite = x + (own.side == Side::Left ? along : -along);
+      if (opposite < 0.0 || opposite > 1.0) {
+        EXPECT_TRUE(pair.partner_face == kNone || pair.state.ramp < 1.0);
+        continue;
+      }
+      ++found;
+      ASSERT_NE(pair.partner_face, kNone);
+      const auto& other = s.surfaces.faces[pair.partner_face];
+      EXPECT_NE(other.side, own.side);
+      EXPECT_NEAR(other.s_start + pair.state.partner * (other.s_end - other.s_start), opposite, 1e-12);
+      EXPECT_NEAR(pair.state.normal_gap, -1e-3, 1e-14);
+    }
+    EXPECT_GT(found, 40);
+  }
+}
+
+TEST_P(Sliding, PressureResultantFallsContinuouslyAsTheOverlapShrinks) {
+  Slider s(GetParam());
+  double last = 1e300;
+  for (double along = 0.3; along < 0.42; along += 0.0021) {
+    s.look(s.shift({along, -1e-3}));
+    double force = 0.0;
+    for (std::size_t p = 0; p < s.pairs.size(); ++p)
+      if (s.pairs[p].partner_face != kNone) force -= s.surfaces.points[p].weight * s.pairs[p].state.ramp * s.pairs[p].state.traction.normal;
+    EXPECT_NEAR(force, 1e3 * 1e-3 * (1.0 - along), 1e-12) << "the quadrature is clipped exactly at the projected mouth";
+    EXPECT_LT(force, last);
+    last = force;
+  }
+}
+
+TEST_P(Sliding, AnOpenGapHasNoTraction) {
+  Slider s(GetParam());
+  s.look(s.shift({0.1, 1e-3}));
+  for (const auto& pair : s.pairs) EXPECT_EQ(pair.state.traction.status, Status::Open);
+  s.commit();
+  for (const auto& m : s.memory) EXPECT_EQ(m.anchor_face, kNone) << "opening forgets the anchor";
+}
+
+TEST_P(Sliding, TheNextIncrementStartsFromTheTractionJustReached) {
+  Slider s(GetParam());
+  for (const double along : {0.05, 0.2, 0.1}) {  // forth and back
+    const VecX u = s.shift({along, -1e-3});
+    s.look(u);
+    const auto before = s.pairs;
+    const auto memory = s.memory;
+    s.commit();
+    s.look(u);
+    for (std::size_t p = 0; p < s.pairs.size(); ++p) {
+      // open, or back from beyond the mouth and so touching for the first time
+      if (before[p].state.traction.status == Status::Open || memory[p].anchor_face == kNone) continue;
+      EXPECT_EQ(before[p].state.traction.status, Status::Slip);
+      EXPECT_NEAR(std::fabs(before[p].state.traction.tangential), 0.5 * 1e3 * 1e-3, 1e-10);
+      EXPECT_NEAR(s.pairs[p].state.traction.tangential, before[p].state.traction.tangential, 1e-10);
+    }
+  }
+}
+
+TEST_P(Sliding, ARigidTurnBetweenIncrementsChangesNothing) {
+  Slider s(GetParam());
+  s.look(s.shift({0.05, -1e-3}));
+  s.commit();
+  s.look(s.shift({0.0501, -1e-3}));
+  const auto before = s.pairs;
+  s.look(s.shift({0.0501, -1e-3}, 1.3));
+  for (std::size_t p = 0; p < s.pairs.size(); ++p) {
+    EXPECT_NEAR(s.pairs[p].state.traction.normal, before[p].state.traction.normal, 1e-11);
+    EXPECT_NEAR(s.pairs[p].state.traction.tangential, before[p].state.traction.tangential, 1e-11);
+  }
+}
+
+TEST_P(Sliding, FrictionDissipatesPressureTimesSlip) {
+  Slider s(GetParam());
+  s.look(s.shift({0.05, -1e-3}));
+  s.commit();
+  s.look(s.shift({0.08, -1e-3}));
+  for (std::size_t p = 0; p < s.pairs.size(); ++p) {
+    if (s.pairs[p].state.traction.status != Status::Slip || s.memory[p].anchor_face == kNone) continue;
+    const auto a = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    EXPECT_NEAR(a.dissipation, 0.5 * 1e3 * 1e-3 * 0.03, 1e-12);
+    EXPECT_NEAR(a.memory.slip - s.memory[p].slip, 0.03, 1e-12);
+  }
+}
+
+TEST_P(Sliding, AFirstTouchIsAnchoredAtThePartner) {
+  Slider s(GetParam());
+  s.look(s.shift({0.1, 1e-3}));
+  s.commit();
+  s.look(s.shift({0.1, -1e-3}));
+  for (const auto& pair : s.pairs) EXPECT_EQ(pair.state.traction.tangential, 0.0);
+  const auto before = s.pairs;
+  s.commit();
+  for (std::size_t p = 0; p < s.pairs.size(); ++p)
+    EXPECT_EQ(s.memory[p].anchor_face, before[p].state.traction.status == Status::Open ? kNone : before[p].partner_face);
+}
+
+}  // namespace
+}  // namespace cleft::contact
