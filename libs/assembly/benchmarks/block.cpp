@@ -1,0 +1,41 @@
+// The block of Liu and Borja 2010, section 6.1: assembly of bulk and contact, pattern, factorisation and solution.
+#include <benchmark/benchmark.h>
+
+#include "../tests/small_models.hpp"
+#include "cleft/assembly/stepping.hpp"
+
+namespace {
+
+using namespace cleft;
+
+void assemble(benchmark::State& state) {
+  const auto model = assembly::models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);
+  assembly::Assembler assembler(model);
+  const auto rest = assembly::state_at_rest(model);
+  for (auto _ : state) benchmark::DoNotOptimize(assembler.assemble(rest.displacement, rest.contact, 0.0));
+  const auto& s = assembler.seconds();
+  const auto runs = static_cast<double>(state.iterations());
+  state.counters["ns_per_cell"] = 1e9 * s.bulk / runs / static_cast<double>(model.cells.size());
+  state.counters["ns_per_contact_point"] = 1e9 * s.contact / runs / static_cast<double>(model.surfaces.points.size());
+}
+BENCHMARK(assemble)->Arg(16)->Arg(64);
+
+void pattern(benchmark::State& state) {
+  const auto model = assembly::models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);
+  for (auto _ : state) {
+    assembly::Assembler assembler(model);
+    benchmark::DoNotOptimize(assembler);
+  }
+}
+BENCHMARK(pattern)->Arg(16)->Arg(64);
+
+void first_increment(benchmark::State& state) {
+  const auto model = assembly::models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);
+  for (auto _ : state) {
+    assembly::LoadStepper stepper(model, {});
+    benchmark::DoNotOptimize(stepper.advance());
+  }
+}
+BENCHMARK(first_increment)->Arg(16)->Arg(64)->Unit(benchmark::kMillisecond);
+
+}  // namespace

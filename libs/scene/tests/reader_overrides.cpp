@@ -1,0 +1,119 @@
+// Faults of whole files and of overrides on the command line.
+
+#include "cleft/scene/read.hpp"
+#include "scenes.hpp"
+
+namespace cleft::scene {
+namespace {
+
+InputError error_of(const std::string& file, const std::vector<std::string>& overrides = {}) {
+  try {
+    (void)read_scene(file, overrides);
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {{}, "", "accepted"};
+}
+
+TEST(SceneFile, MissingFileIsNamed) {
+  const auto error = error_of("/nonexistent/scene.toml");
+  EXPECT_STREQ(error.what(), "/nonexistent/scene.toml: there is no such file");
+}
+
+TEST(SceneFile, DirectoryIsRefused) {
+  const Folder folder;
+  const auto error = error_of(folder / "");
+  EXPECT_NE(error.problem().find("not a file"), std::string::npos) << error.what();
+}
+
+TEST(SceneFile, EmptyFileMissesTheMesh) {
+  const Folder folder;
+  const auto error = error_of(folder.write("scene.toml", ""));
+  EXPECT_EQ(error.key(), "mesh");
+  EXPECT_NE(error.problem().find("missing"), std::string::npos);
+}
+
+TEST(SceneFile, MissingSectionsAreNamed) {
+  const Folder folder;
+  const auto without_mesh = error_of(folder.write("a.toml", kPlain.substr(kPlain.find("[material]"))));
+  EXPECT_EQ(without_mesh.key(), "mesh");
+  EXPECT_NE(without_mesh.problem().find("missing"), std::string::npos);
+  const auto without_material = error_of(folder.write("b.toml", kPlain.substr(0, kPlain.find("[material]"))));
+  EXPECT_EQ(without_material.key(), "material");
+  EXPECT_NE(without_material.problem().find("missing"), std::string::npos);
+  const auto without_boundary = error_of(folder.write("c.toml", kPlain.substr(0, kPlain.find("[[boundary]]"))));
+  EXPECT_EQ(without_boundary.key(), "boundary");
+  EXPECT_NE(without_boundary.problem().find("at least one [[boundary]]"), std::string::npos);
+}
+
+TEST(SceneFile, SectionsOfTheWrongShapeAreNamed) {
+  const Folder folder;
+  const auto mesh = error_of(folder.write("a.toml", "mesh = 3\n" + kPlain.substr(kPlain.find("[material]"))));
+  EXPECT_EQ(mesh.key(), "mesh");
+  EXPECT_NE(mesh.problem().find("not a section"), std::string::npos);
+  const auto crack = error_of(folder.write("b.toml", "crack = [1, 2]\n" + kPlain));
+  EXPECT_EQ(crack.key(), "crack");
+  EXPECT_NE(crack.problem().find("[[crack]] sections"), std::string::npos);
+  EXPECT_EQ(crack.location().line, 1);
+  const auto two = error_of(folder.write("c.toml", replaced(kPlain, "[material]", "[[material]]") + "[[material]]\nmodel = \"hencky\"\n"));
+  EXPECT_EQ(two.key(), "material");
+  EXPECT_NE(two.problem().find("several materials"), std::string::npos);
+}
+
+TEST(SceneFile, TextThatIsNotTomlIsLocated) {
+  const Folder folder;
+  const auto error = error_of(folder.write("scene.toml", replaced(kPlain, "cells = [4, 8]", "cells = [4 8]")));
+  EXPECT_EQ(error.location().line, 3);
+  EXPECT_NE(error.problem().find("not valid TOML"), std::string::npos);
+}
+
+struct WrongOverride {
+  const char* text;
+  const char* key;
+  const char* problem;
+};
+
+TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", kBlock);
+  const std::vector<WrongOverride> all{
+      {"mesh.cells", "", "KEY=VALUE"},
+      {"", "", "KEY=VALUE"},
+      {"=3", "", "the key is empty"},
+      {"title=it's", "title", "the value is not TOML"},
+      {"mesh.cels=[1, 2]", "mesh.cels", "did you mean 'cells'?"},
+      {"mehs.cells=[1, 2]", "mehs", "did you mean 'mesh'?"},
+      {"mesh.cells=many", "mesh.cells", "wrong shape"},
+      {"mesh.cells=[4, 0]", "mesh.cells", "integers from 1"},
+      {"material.young=soft", "material.young", "not a number"},
+      {"material.young=nan", "material.young", "not a finite number"},
+      {"material.young.unit=1", "material.young.unit", "'material.young' is not a section"},
+      {"crack.other.friction=0.1", "crack.other.friction", "there is no 'other' among the 1 entries"},
+      {"crack[1].friction=0.1", "crack[1].friction", "there is no '1' among the 1 entries"},
+      {"crack.main=0.1", "crack.main", "a whole section cannot be set"},
+      {"crack.main.friction=-1", "crack[0].friction", "0 or greater"},
+      {"crack.0.frction=1", "crack[0].frction", "did you mean 'friction'?"},
+      {"loading.outputs=[2.0]", "loading.outputs", "out of order"},
+      {"boundary.1.amplitude=[[1, 0], [0, 1]]", "boundary[1].amplitude", "out of order"},
+      {"mesh=3", "mesh", "not a section"},
+  };
+  for (const auto& wrong : all) {
+    SCOPED_TRACE(wrong.text);
+    const auto error = error_of(file, {wrong.text});
+    EXPECT_EQ(error.key(), wrong.key);
+    EXPECT_NE(error.problem().find(wrong.problem), std::string::npos) << error.what();
+    EXPECT_EQ(error.location().file, std::string("--set ") + wrong.text);
+    EXPECT_EQ(error.location().line, 0);
+  }
+}
+
+TEST(SceneOverride, AFaultOfTheFileStaysAtTheFile) {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", replaced(kBlock, "poisson = 0.25", "poisson = 0.5"));
+  const auto error = error_of(file, {"material.young=1e9"});
+  EXPECT_EQ(error.location().file, file);
+  EXPECT_EQ(error.location().line, 12);
+}
+
+}  // namespace
+}  // namespace cleft::scene
