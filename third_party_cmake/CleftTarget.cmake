@@ -30,7 +30,11 @@ function(cleft_tests name)
   cleft_executable(${target} ${CMAKE_CURRENT_SOURCE_DIR}/tests tests ${ARGN} GTest::gtest_main rapidcheck_gtest)
   if(TARGET ${target})
     target_compile_definitions(${target} PRIVATE CLEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    # Files of the tests (testing::TempDir) stay in the build tree, so that two trees can be tested at a time.
+    set(scratch ${PROJECT_BINARY_DIR}/tests/scratch)
+    file(MAKE_DIRECTORY ${scratch})
     gtest_discover_tests(${target}
-      TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+      TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+      PROPERTIES TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${scratch})
   endif()
 endfunction()

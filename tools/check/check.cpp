@@ -28,13 +28,17 @@ int check(const Options& options) {
   for (std::size_t k = 0; k < model.cracks.size(); ++k) {
     const auto& cut = model.cut.cracks[k];
     const auto end = [](const geometry::CrackEnd& e) {
-      return fmt::format("{} at ({:.6g}, {:.6g})", e.kind == geometry::CrackEnd::Kind::Tip ? "tip" : "mouth", e.effective.x(), e.effective.y());
+      return fmt::format("{} at ({:.6g}, {:.6g})", e.kind == geometry::CrackEnd::Kind::Tip ? "tip" : "mouth",
+                         e.effective.x(), e.effective.y());
     };
-    print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment, end(cut.ends[0]), end(cut.ends[1])));
+    print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
+                               end(cut.ends[0]), end(cut.ends[1])));
     const auto& law = model.surfaces.laws[k];
-    print("", fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty, law.tangential_penalty));
+    print("", fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
+                          law.tangential_penalty));
   }
-  if (model.cut.snapped > 0) print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
+  if (model.cut.snapped > 0)
+    print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
   const bool contact = model.has_contact();
   print("kinematics", "finite");
   print("material", scene.material.model);
@@ -49,7 +53,8 @@ void add_check(CLI::App& app, int& result) {
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand("check", "read and validate a scene and say what would be solved");
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")->allow_extra_args(false);
+  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+      ->allow_extra_args(false);
   verb->callback([options, &result] { result = check(*options); });
 }
 

@@ -25,9 +25,9 @@ std::string duration(double seconds) {
 }
 
 void show(const scene::Progress& p, bool live) {
-  const std::string line =
-      fmt::format("load {:7.4f}  increment {:4}  iterations {:5}  cuts {:2}  residual {:8.1e}  contact {:5}  {:>8}, {} to go", p.load,
-                  p.increment, p.iterations, p.cuts, p.residual, p.contact_points, duration(p.elapsed), duration(p.rest));
+  const std::string line = fmt::format(
+      "load {:7.4f}  increment {:4}  iterations {:5}  cuts {:2}  residual {:8.1e}  contact {:5}  {:>8}, {} to go",
+      p.load, p.increment, p.iterations, p.cuts, p.residual, p.contact_points, duration(p.elapsed), duration(p.rest));
   if (live)
     fmt::print(stderr, "\r\x1b[K{}{}", line, p.iteration > 0 ? fmt::format("  it {}", p.iteration) : "");
   else if (p.iteration == 0)
@@ -35,18 +35,22 @@ void show(const scene::Progress& p, bool live) {
 }
 
 void print_summary(const scene::RunResult& r, const std::string& directory) {
-  const double per_increment = r.increments > 0 ? static_cast<double>(r.iterations) / static_cast<double>(r.increments) : 0.0;
-  fmt::print("increments {}, iterations {} ({:.2f} an increment), cuts {}, worst residual {:.1e}", r.increments, r.iterations, per_increment,
-             r.cuts, r.worst_residual);
+  const double per_increment =
+      r.increments > 0 ? static_cast<double>(r.iterations) / static_cast<double>(r.increments) : 0.0;
+  fmt::print("increments {}, iterations {} ({:.2f} an increment), cuts {}, worst residual {:.1e}", r.increments,
+             r.iterations, per_increment, r.cuts, r.worst_residual);
   if (r.newton_order > 0) fmt::print(", order {:.2f}", r.newton_order);
   const auto& e = r.energies;
-  fmt::print("\nenergy, J/m: external work {:.6g} = elastic {:.6g} + friction {:.6g} + contact {:.6g} + imbalance {:.2g} ({:.2f} %)\n",
-             e.external_work, e.elastic, e.friction_dissipation, e.contact, e.imbalance(),
-             e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
+  fmt::print(
+      "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + friction {:.6g} + contact {:.6g} + imbalance {:.2g} "
+      "({:.2f} %)\n",
+      e.external_work, e.elastic, e.friction_dissipation, e.contact, e.imbalance(),
+      e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
              r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);
   if (r.contact_microseconds > 0) fmt::print(", {:.2f} us a contact point", r.contact_microseconds);
-  fmt::print("; peak memory {:.0f} MB\nresults in {}: history.csv, fields.pvd, run.json\n", r.peak_megabytes, directory);
+  fmt::print("; peak memory {:.0f} MB\nresults in {}: history.csv, fields.pvd, run.json\n", r.peak_megabytes,
+             directory);
 }
 
 struct Options {
@@ -72,7 +76,8 @@ int solve(const Options& options) {
   if (result.end == scene::RunResult::End::Stopped)
     spdlog::warn("interrupted at load {:.6g}; go on with --resume", result.load);
   else
-    spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure), result.failure.advice);
+    spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure),
+                  result.failure.advice);
   return kFailed;
 }
 
@@ -83,7 +88,8 @@ void add_run(CLI::App& app, int& result) {
   auto* verb = app.add_subcommand("run", "solve a scene");
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
   verb->add_option("-o,--output", options->run.directory, "folder for the results")->required();
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")->allow_extra_args(false);
+  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+      ->allow_extra_args(false);
   verb->add_flag("--resume", options->run.resume, "go on from the last converged increment in the folder");
   verb->add_option("--threads", options->run.threads, "threads of the factorisation")->check(CLI::Range(1, 256));
   verb->callback([options, &result] { result = solve(*options); });

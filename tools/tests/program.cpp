@@ -40,7 +40,8 @@ TEST(Program, RunsAScene) {
   const std::string out = fresh("runs");
   const Outcome o = call("run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out);
   EXPECT_EQ(o.code, 0) << o.text;
-  for (const char* file : {"history.csv", "newton.csv", "crack_main.csv", "fields.pvd", "fields_0000.vtu", "run.json", "checkpoint"})
+  for (const char* file :
+       {"history.csv", "newton.csv", "crack_main.csv", "fields.pvd", "fields_0000.vtu", "run.json", "checkpoint"})
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   EXPECT_NE(o.text.find("imbalance"), std::string::npos) << "the energy balance is printed";
 }
@@ -79,12 +80,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"poisson_high", "--set material.poisson=0.5", "allowed: greater than -1 and less than 0.5"},
                     Bad{"empty_mesh", "--set mesh.cells=[0,4]", "mesh.cells"},
                     Bad{"empty_box", "--set mesh.box=[0,0,0,1]", "the box is empty"},
-                    Bad{"crack_outside", "--set crack.main.points=[[1,1],[2,2]]", "block.toml:15:1: crack[0] 'main': lies outside of the body"}),
+                    Bad{"crack_outside", "--set crack.main.points=[[1,1],[2,2]]",
+                        "block.toml:15:1: crack[0] 'main': lies outside of the body"}),
     [](const auto& bad) { return bad.param.name; });
 
 TEST(Program, RefusesCrossingCracksAtTheirLine) {
   const std::string scene = testing::TempDir() + "cleft_program_crossing.toml", out = fresh("crossing");
-  std::ofstream(scene) << scene::read_bytes(kScenes + "block.toml") << "\n[[crack]]\nname = \"other\"\npoints = [[0.0, 0.05], [0.04, 0.02]]\n";
+  std::ofstream(scene) << scene::read_bytes(kScenes + "block.toml")
+                       << "\n[[crack]]\nname = \"other\"\npoints = [[0.0, 0.05], [0.04, 0.02]]\n";
   const Outcome o = call("run " + scene + " -o " + out);
   EXPECT_EQ(o.code, 2);
   EXPECT_NE(o.text.find("crack[0] 'main': crosses or touches crack other"), std::string::npos) << o.text;
@@ -101,7 +104,8 @@ TEST(Program, NamesAMissingFileAndAWrongCommandLine) {
 
 TEST(Program, AFailedSolutionKeepsWhatConvergedAndSaysWhy) {
   const std::string out = fresh("failed");
-  const Outcome o = call("run " + kScenes + "block.toml --set solver.max_iterations=3 --set solver.min_step=0.01 -o " + out);
+  const Outcome o =
+      call("run " + kScenes + "block.toml --set solver.max_iterations=3 --set solver.min_step=0.01 -o " + out);
   EXPECT_EQ(o.code, 3) << o.text;
   EXPECT_NE(o.text.find("failed at load"), std::string::npos) << o.text;
   EXPECT_NE(o.text.find("; try "), std::string::npos) << o.text;

@@ -6,7 +6,9 @@
 namespace cleft::verification {
 namespace {
 
-std::string cells(int across) { return "mesh.cells=[" + std::to_string(across) + "," + std::to_string(2 * across) + "]"; }
+std::string cells(int across) {
+  return "mesh.cells=[" + std::to_string(across) + "," + std::to_string(2 * across) + "]";
+}
 
 struct Case {
   int across;
@@ -18,12 +20,13 @@ class Block : public testing::TestWithParam<Case> {};
 
 TEST_P(Block, ReachesFullLoadWithoutAFailedIncrementInFewIterations) {
   const auto& [across, side, diagonal] = GetParam();
-  const Solved run =
-      solve("block", {cells(across), std::string("crack.main.negative_side=") + side, std::string("mesh.diagonal=") + diagonal});
+  const Solved run = solve("block", {cells(across), std::string("crack.main.negative_side=") + side,
+                                     std::string("mesh.diagonal=") + diagonal});
   EXPECT_EQ(run.result.cuts, 0);
   EXPECT_LE(run.result.iterations, 4 * run.result.increments);
   EXPECT_GT(run.result.newton_order, 1.5);
-  // what the trapezoidal sums of work and friction leave, largest in the first increment and where points open and close
+  // what the trapezoidal sums of work and friction leave, largest in the first increment and where points open and
+  // close
   EXPECT_LT(std::fabs(run.result.energies.imbalance()), 0.005 * run.result.energies.external_work);
 #ifndef __SANITIZE_ADDRESS__
   EXPECT_LT(run.result.peak_megabytes, 300.0);
@@ -45,10 +48,12 @@ TEST_P(Block, ReachesFullLoadWithoutAFailedIncrementInFewIterations) {
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Block,
                          testing::Values(Case{8, "left", "right"}, Case{8, "right", "right"}, Case{8, "left", "left"},
-                                         Case{8, "right", "left"}, Case{16, "left", "right"}, Case{16, "right", "right"},
-                                         Case{16, "left", "left"}, Case{16, "right", "left"}, Case{32, "left", "right"},
-                                         Case{32, "right", "right"}, Case{32, "left", "left"}, Case{32, "right", "left"},
-                                         Case{64, "left", "right"}, Case{64, "right", "right"}, Case{64, "left", "left"},
+                                         Case{8, "right", "left"}, Case{16, "left", "right"},
+                                         Case{16, "right", "right"}, Case{16, "left", "left"},
+                                         Case{16, "right", "left"}, Case{32, "left", "right"},
+                                         Case{32, "right", "right"}, Case{32, "left", "left"},
+                                         Case{32, "right", "left"}, Case{64, "left", "right"},
+                                         Case{64, "right", "right"}, Case{64, "left", "left"},
                                          Case{64, "right", "left"}),
                          [](const auto& c) {
                            return std::to_string(c.param.across) + "_" + c.param.side + "_diagonal_" + c.param.diagonal;
@@ -57,7 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Block,
 TEST(FineBlock, AgreesWithBodyFittedElementsOfTheSameSizeAndDoesNotDependOnTheSide) {
   const Solved left = solve("block", {cells(64)});
   const auto fitted = reference("block_fitted.csv");
-  for (const auto& [load, fx_tolerance, fy_tolerance] : {std::tuple{0.25, 0.02, 0.01}, std::tuple{0.5, 0.02, 0.01}, std::tuple{1.0, 1.0, 0.03}}) {
+  for (const auto& [load, fx_tolerance, fy_tolerance] :
+       {std::tuple{0.25, 0.02, 0.01}, std::tuple{0.5, 0.02, 0.01}, std::tuple{1.0, 1.0, 0.03}}) {
     const auto loads = fitted.column("load");
     const auto k = std::find(loads.begin(), loads.end(), load) - loads.begin();
     const double fx = 1e6 * fitted.column("fx_p1_80")[k], fy = 1e6 * fitted.column("fy_p1_80")[k];

@@ -6,13 +6,15 @@ namespace cleft::verification {
 namespace {
 
 scene::ErrorNorms error_on(int cells, const std::string& material) {
-  const auto scene = scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/manufactured.toml",
-                                       {"mesh.cells=[" + std::to_string(cells) + "," + std::to_string(cells) + "]", "material.model=" + material});
+  const auto scene = scene::read_scene(
+      std::string(CLEFT_VERIFICATION) + "/scenes/manufactured.toml",
+      {"mesh.cells=[" + std::to_string(cells) + "," + std::to_string(cells) + "]", "material.model=" + material});
   const auto model = scene::build_model(scene);
   assembly::LoadStepper stepper(model, scene::step_controls(scene));
   while (!stepper.done())
     if (std::holds_alternative<assembly::Failure>(stepper.advance())) ADD_FAILURE();
-  return scene::error_norms(model, scene::make_field(*scene.exact, model.constants()), 1.0, stepper.state().displacement);
+  return scene::error_norms(model, scene::make_field(*scene.exact, model.constants()), 1.0,
+                            stepper.state().displacement);
 }
 
 class Manufactured : public testing::TestWithParam<const char*> {};

@@ -39,7 +39,8 @@ inline Solved solve(const std::string& scene, const std::vector<std::string>& ov
   std::filesystem::remove_all(out.directory);
   scene::RunOptions options;
   options.directory = out.directory;
-  out.result = scene::run(scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/" + scene + ".toml", overrides), options);
+  out.result =
+      scene::run(scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/" + scene + ".toml", overrides), options);
   EXPECT_EQ(out.result.end, scene::RunResult::End::Done) << assembly::describe(out.result.failure);
   out.history = scene::read_csv(out.directory + "/history.csv");
   return out;
@@ -56,7 +57,8 @@ inline scene::CsvTable reference(const std::string& file) {
 }
 
 /// Rows of a crack's profile at one load, as columns by name.
-inline std::vector<std::map<std::string, std::string>> profile(const Solved& run, const std::string& crack, double load) {
+inline std::vector<std::map<std::string, std::string>> profile(const Solved& run, const std::string& crack,
+                                                               double load) {
   const auto table = scene::read_csv(run.directory + "/crack_" + crack + ".csv");
   std::vector<std::map<std::string, std::string>> rows;
   for (const auto& row : table.rows) {

@@ -11,7 +11,8 @@ double number(const std::map<std::string, std::string>& row, const char* key) { 
 TEST(ThroughCrack, SticksAndLeavesTheFieldOfTheUncrackedBodyUpToTheElasticContact) {
   const Solved run = solve("through_crack");
   const double stress = 1e10 / (1 - 0.25 * 0.25) * 1e-5, angle = std::atan2(0.3639702342662, 1.0);
-  const double pressure = stress * std::cos(angle) * std::cos(angle), shear = stress * std::sin(angle) * std::cos(angle);
+  const double pressure = stress * std::cos(angle) * std::cos(angle),
+               shear = stress * std::sin(angle) * std::cos(angle);
   const double compliance = stress / 2e13 / 1e-5;  // of the penalty springs over that of the body
   EXPECT_NEAR(run.at("fy_top", 1.0), -stress, 1.1 * compliance * stress);
   for (const auto& row : profile(run, "joint", 1.0)) {
@@ -33,7 +34,8 @@ TEST(ThroughCrack, SlidesOnlyWhereFrictionIsBelowTheTangentOfItsAngle) {
 
 TEST(Drag, ForceRatioIsTheFrictionCoefficientAtEveryPositionAndTractionsSitOnTheCone) {
   const Solved run = solve("drag");
-  const auto load = run.history.column("load"), fx = run.history.column("fx_bottom"), fy = run.history.column("fy_bottom");
+  const auto load = run.history.column("load"), fx = run.history.column("fx_bottom"),
+             fy = run.history.column("fy_bottom");
   int sliding = 0;
   for (std::size_t k = 0; k < load.size(); ++k) {
     if (load[k] < 0.15) continue;
@@ -55,7 +57,8 @@ void expect_same_after_rotation(const Solved& run, const char* status) {
   for (const char* key : {"tn", "tt", "gap", "slip"}) {
     double scale = 0.0;
     for (const auto& row : before) scale = std::fmax(scale, std::fabs(number(row, key)));
-    for (std::size_t k = 0; k < before.size(); ++k) EXPECT_NEAR(number(before[k], key), number(after[k], key), 1e-9 * scale) << key;
+    for (std::size_t k = 0; k < before.size(); ++k)
+      EXPECT_NEAR(number(before[k], key), number(after[k], key), 1e-9 * scale) << key;
   }
   for (std::size_t k = 0; k < before.size(); ++k) {
     const double tn = std::fabs(number(before[k], "tn"));
@@ -68,7 +71,9 @@ void expect_same_after_rotation(const Solved& run, const char* status) {
   EXPECT_GT(seen, 0);
 }
 
-TEST(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) { expect_same_after_rotation(solve("rotation"), "slip"); }
+TEST(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) {
+  expect_same_after_rotation(solve("rotation"), "slip");
+}
 
 TEST(Rotation, LeavesTractionsOfAStickingCrackAsTheyAre) {
   expect_same_after_rotation(solve("rotation", {"crack.joint.friction=0.6"}), "stick");

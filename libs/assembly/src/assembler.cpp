@@ -77,7 +77,8 @@ void Assembler::make_room(const std::vector<contact::Memory>& memory) {
   for (auto& faces : room_) faces.clear();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     auto& faces = room_[model_.surfaces.points[p].face];
-    if (pairs_[p].partner_face != kNone) add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kRoom, faces);
+    if (pairs_[p].partner_face != kNone)
+      add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kRoom, faces);
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
     if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
   }
@@ -150,7 +151,8 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement) {
   if (bad == kNone) return std::nullopt;
   const auto& cell = model_.cells[bad];
   const auto& corner = model_.mesh.triangles[cell.element];
-  const Vec2 centre = (model_.mesh.nodes[corner[0]] + model_.mesh.nodes[corner[1]] + model_.mesh.nodes[corner[2]]) / 3.0;
+  const Vec2 centre =
+      (model_.mesh.nodes[corner[0]] + model_.mesh.nodes[corner[1]] + model_.mesh.nodes[corner[2]]) / 3.0;
   const char* side = cell.cut == kNone ? "" : cell.side == geometry::Side::Left ? ", left side" : ", right side";
   return Failure{FailureKind::Inverted,
                  fmt::format("element {} at ({:.6g}, {:.6g}){}", cell.element, centre.x(), centre.y(), side),
@@ -170,9 +172,9 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     const auto& pair = pairs_[p];
     if (!presses(pair)) continue;
     const auto index = static_cast<Index>(p);
-    const auto force = contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                                      contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
-                                      pair.state);
+    const auto force =
+        contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
+                       contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]), pair.state);
     int count = 0;
     const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
       for (int k = 0; k < 3; ++k) {

@@ -5,11 +5,16 @@ namespace cleft::assembly {
 std::string describe(const Failure& failure) {
   const auto text = [&]() -> std::string {
     switch (failure.kind) {
-      case FailureKind::NoConvergence: return "the iteration did not converge";
-      case FailureKind::Inverted: return "an element turned inside out (J <= 0)";
-      case FailureKind::Singular: return "the tangent matrix is singular";
-      case FailureKind::NotFinite: return "a value is not finite";
-      case FailureKind::StepTooSmall: return "the load increment became too small";
+      case FailureKind::NoConvergence:
+        return "the iteration did not converge";
+      case FailureKind::Inverted:
+        return "an element turned inside out (J <= 0)";
+      case FailureKind::Singular:
+        return "the tangent matrix is singular";
+      case FailureKind::NotFinite:
+        return "a value is not finite";
+      case FailureKind::StepTooSmall:
+        return "the load increment became too small";
     }
     return "unknown failure";
   }();

@@ -57,8 +57,8 @@ struct LinearSolver::Data {
       const PhaseTimer timer(seconds.analyse);
       ++seconds.analyses;
       // without values: the order depends on the pattern alone, so that a resumed run repeats it exactly
-      umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic, nullptr,
-                          nullptr);
+      umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic,
+                          nullptr, nullptr);
     }
     if (numeric) umfpack_di_free_numeric(&numeric);
     const PhaseTimer timer(seconds.factorise);
@@ -105,8 +105,8 @@ VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
   const PhaseTimer timer(d.seconds.solve);
   VecX x(matrix.rows());
   if (!d.positive_definite) {
-    umfpack_di_solve(UMFPACK_A, matrix.scalar_starts().data(), matrix.scalar_rows().data(), matrix.values().data(), x.data(),
-                     b.data(), d.numeric, nullptr, nullptr);
+    umfpack_di_solve(UMFPACK_A, matrix.scalar_starts().data(), matrix.scalar_rows().data(), matrix.values().data(),
+                     x.data(), b.data(), d.numeric, nullptr, nullptr);
     return x;
   }
   cholmod_dense rhs{};

@@ -15,7 +15,8 @@ constexpr double kSameWay = 0.5;
 void predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
   const double before = state.load - state.previous_load;
   if (!(before > 0.0)) return;
-  const VecX guess = state.displacement + ((load - state.load) / before) * (state.displacement - state.previous_displacement);
+  const VecX guess =
+      state.displacement + ((load - state.load) / before) * (state.displacement - state.previous_displacement);
   double missed = 0.0, moved = 0.0;
   for (std::size_t k = 0; k < constraints.size(); ++k) {
     const Index c = constraints[k].component;
@@ -26,7 +27,8 @@ void predict(const State& state, const std::vector<Constraint>& constraints, con
 }
 
 // Replaces the equations of prescribed components by du = change.
-void constrain(const std::vector<Constraint>& constraints, const VecX& change, double diagonal, BlockMatrix& matrix, VecX& rhs) {
+void constrain(const std::vector<Constraint>& constraints, const VecX& change, double diagonal, BlockMatrix& matrix,
+               VecX& rhs) {
   const bool moves = change.size() > 0 && change.cwiseAbs().maxCoeff() > 0.0;
   if (moves) {
     VecX full = VecX::Zero(rhs.size());
@@ -69,8 +71,8 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
 }  // namespace
 
 double rounding_floor(const Model& model, const VecX& displacement) {
-  // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the size
-  // eps |x|, which the penalty turns into forces. Independent errors add up in squares.
+  // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the
+  // size eps |x|, which the penalty turns into forces. Independent errors add up in squares.
   constexpr double kOperations = 16.0;
   const double reach = displacement.cwiseAbs().maxCoeff();
   const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
@@ -84,14 +86,15 @@ double rounding_floor(const Model& model, const VecX& displacement) {
   for (const auto& point : model.surfaces.points) {
     const auto& face = model.surfaces.faces[point.face];
     const auto& law = model.surfaces.laws[face.crack];
-    const double force = point.weight * (law.normal_penalty + law.tangential_penalty) * (face.reference_start.norm() + reach);
+    const double force =
+        point.weight * (law.normal_penalty + law.tangential_penalty) * (face.reference_start.norm() + reach);
     sum += force * force;
   }
   return std::numeric_limits<double>::epsilon() * std::sqrt(sum);
 }
 
-Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state, double load,
-                          const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
+                          double load, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
                           const IterationObserver& observer) {
   Increment out;
   const VecX target = prescribed_values(model, constraints, load);
@@ -131,8 +134,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double residual = rhs.norm();
     it.residual = residual / std::max(scale, floor);
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
-    if (in_place && (residual <= floor || (it.residual <= controls.residual_tolerance &&
-                                           correction <= controls.correction_tolerance))) {
+    if (in_place && (residual <= floor ||
+                     (it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance))) {
       out.final_residual = it.residual;
       out.rounding = floor / std::max(scale, floor);
       return out;
@@ -154,8 +157,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (regular) du = solver.solve(assembler.matrix(), rhs);
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     if (!regular || !du.allFinite()) {
-      out.failure = Failure{regular ? FailureKind::NotFinite : FailureKind::Singular, "",
-                            "are all parts of the body held? prescribe more components, or bring the parts into contact"};
+      out.failure =
+          Failure{regular ? FailureKind::NotFinite : FailureKind::Singular, "",
+                  "are all parts of the body held? prescribe more components, or bring the parts into contact"};
       return out;
     }
     u += du;

@@ -91,12 +91,14 @@ void LoadStepper::commit(double load, const Increment& increment) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
-    const auto step = contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.contact[p]);
+    const auto step =
+        contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.contact[p]);
     const auto& law = model_.surfaces.laws[model_.surfaces.faces[model_.surfaces.points[p].face].crack];
     const double weight = model_.surfaces.points[p].weight * s.ramp;
     if (pairs_[p].partner_face != kNone && s.traction.status != contact::Status::Open) {
-      energies.contact += 0.5 * weight * (s.traction.normal * s.traction.normal / law.normal_penalty +
-                                          s.traction.tangential * s.traction.tangential / law.tangential_penalty);
+      energies.contact += 0.5 * weight *
+                          (s.traction.normal * s.traction.normal / law.normal_penalty +
+                           s.traction.tangential * s.traction.tangential / law.tangential_penalty);
       state_.deepest = std::max(state_.deepest, -s.normal_gap);
     }
     energies.friction_dissipation += weight * step.dissipation;
@@ -108,9 +110,12 @@ void LoadStepper::commit(double load, const Increment& increment) {
   for (std::size_t k = 0; k < constraints_.size(); ++k) {
     const Index c = constraints_[k].component;
     prescribed[k] = force[c];
-    energies.external_work += 0.5 * (prescribed[k] + state_.prescribed_force[k]) * (increment.displacement[c] - state_.displacement[c]);
+    energies.external_work +=
+        0.5 * (prescribed[k] + state_.prescribed_force[k]) * (increment.displacement[c] - state_.displacement[c]);
   }
-  energies.external_work += 0.5 * (dead_force(model_, load) + dead_force(model_, state_.load)).dot(increment.displacement - state_.displacement);
+  energies.external_work +=
+      0.5 *
+      (dead_force(model_, load) + dead_force(model_, state_.load)).dot(increment.displacement - state_.displacement);
 
   state_.prescribed_force = prescribed;
   state_.previous_load = state_.load;

@@ -155,7 +155,8 @@ TEST(LoadStepper, HitsOutputsExactly) {
   LoadStepper stepper(m, in_steps(3, {0.1, 0.77}));
   std::vector<double> loads;
   while (!stepper.done()) loads.push_back(std::get<Step>(stepper.advance()).load);
-  for (const double load : {0.1, 1.0 / 3, 2.0 / 3, 0.77, 1.0}) EXPECT_NE(std::find(loads.begin(), loads.end(), load), loads.end()) << load;
+  for (const double load : {0.1, 1.0 / 3, 2.0 / 3, 0.77, 1.0})
+    EXPECT_NE(std::find(loads.begin(), loads.end(), load), loads.end()) << load;
 }
 
 TEST(LoadStepper, AHomogeneousDeformationIsReproduced) {
@@ -164,10 +165,13 @@ TEST(LoadStepper, AHomogeneousDeformationIsReproduced) {
   A << 0.05, 0.1, -0.02, -0.08;
   m.prescribed.clear();
   for (const char* on : {"left", "right", "bottom", "top"})
-    m.prescribed.push_back({on, geometry::boundary_nodes(m.mesh, on), {true, true}, [A](const Vec2& X, double load) { return Vec2(load * A * X); }});
+    m.prescribed.push_back({on, geometry::boundary_nodes(m.mesh, on), {true, true}, [A](const Vec2& X, double load) {
+                              return Vec2(load * A * X);
+                            }});
   LoadStepper stepper(m, in_steps(2));
   while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
-  for (const auto& cell : m.cells) EXPECT_LT((cell.deformation(stepper.state().displacement) - Mat2::Identity() - A).norm(), 1e-12);
+  for (const auto& cell : m.cells)
+    EXPECT_LT((cell.deformation(stepper.state().displacement) - Mat2::Identity() - A).norm(), 1e-12);
 }
 
 }  // namespace

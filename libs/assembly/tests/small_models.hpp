@@ -16,17 +16,21 @@ inline void discretise(Model& m, double penalty_scale, double friction, contact:
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.element_size = std::sqrt(2.0 * geometry::triangle_area(m.mesh, 0));
-  s.laws.assign(m.cracks.size(), {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size, friction});
+  s.laws.assign(m.cracks.size(),
+                {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size, friction});
   s.sides.assign(m.cracks.size(), side);
   s.points = contact::place_points(s, 2);
 }
 
 inline Prescribed hold(const Model& m, const std::string& on, Vec2 at_full_load) {
-  return {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [at_full_load](const Vec2&, double load) { return Vec2(load * at_full_load); }};
+  return {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [at_full_load](const Vec2&, double load) {
+            return Vec2(load * at_full_load);
+          }};
 }
 
 /// Plane-strain compression of a block with a 45-degree edge crack (Liu and Borja 2010, section 6.1).
-inline Model block(int cells_across, contact::NegativeSide side, geometry::Diagonal diagonal = geometry::Diagonal::Right) {
+inline Model block(int cells_across, contact::NegativeSide side,
+                   geometry::Diagonal diagonal = geometry::Diagonal::Right) {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 0.04, 0.08}, {cells_across, 2 * cells_across}, diagonal);
   m.cracks = {{"main", {{0.0, 0.01833}, {0.0349, 0.05323}}}};

@@ -12,8 +12,8 @@ namespace {
 using contact::NegativeSide;
 using contact::Status;
 
-// Worst difference between a column block of the assembled tangent and central differences of the assembled force, relative to the
-// largest entry of the row.
+// Worst difference between a column block of the assembled tangent and central differences of the assembled force,
+// relative to the largest entry of the row.
 double worst_difference(const Model& model, const VecX& u, const State& state, Assembler& assembler) {
   EXPECT_FALSE(assembler.assemble(u, state.contact, state.deepest));
   const BlockMatrix matrix = assembler.matrix();
@@ -33,18 +33,20 @@ double worst_difference(const Model& model, const VecX& u, const State& state, A
   }
   double worst = 0.0;
   for (Eigen::Index r = 0; r < u.size(); ++r)
-    worst = std::max(worst, (exact.row(r) - differences.row(r)).cwiseAbs().maxCoeff() / exact.row(r).cwiseAbs().maxCoeff());
+    worst =
+        std::max(worst, (exact.row(r) - differences.row(r)).cwiseAbs().maxCoeff() / exact.row(r).cwiseAbs().maxCoeff());
   return worst;
 }
 
 class AssembledTangent : public testing::TestWithParam<NegativeSide> {};
 
-// In mid-slide, a quarter of an increment past a converged state so that no point sits on a kink of the law, with the slide partly
-// reversed so that some points stick.
+// In mid-slide, a quarter of an increment past a converged state so that no point sits on a kink of the law, with the
+// slide partly reversed so that some points stick.
 TEST_P(AssembledTangent, MatchesDifferencesOfTheAssembledForceInMidSlide) {
   Model model = models::block(16, GetParam());
   model.prescribed[1].displacement = [](const Vec2&, double load) {
-    const double back = std::fmax(0.0, load - 0.6);  // a little: points under high pressure stick, the others slide back
+    const double back =
+        std::fmax(0.0, load - 0.6);  // a little: points under high pressure stick, the others slide back
     return Vec2((-0.01 * (load - back) + 4e-4 * back) * Vec2::Ones());
   };
   StepControls controls;
@@ -65,7 +67,8 @@ TEST_P(AssembledTangent, MatchesDifferencesOfTheAssembledForceInMidSlide) {
   EXPECT_EQ(seen.size(), 3u) << "stick, slip and open points must all occur";
 }
 
-INSTANTIATE_TEST_SUITE_P(Sides, AssembledTangent, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
+INSTANTIATE_TEST_SUITE_P(Sides, AssembledTangent,
+                         testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
 
 TEST(LoadStepper, ReachesFullLoadOnTheBlockWithTheReactionsOfAnIndependentPrototype) {
   const Model model = models::block(8, NegativeSide::Left);

@@ -9,7 +9,7 @@ using Vec4 = Eigen::Vector4d;
 
 // The squared sizes of the two parts of F, and the halved gradients, linear in F.
 struct Parts {
-  double conformal, anticonformal;            // R, Q
+  double conformal, anticonformal;                  // R, Q
   Vec4 conformal_gradient, anticonformal_gradient;  // dR/dF, dQ/dF
 };
 

@@ -33,13 +33,13 @@ TYPED_TEST(Hyperelastic, IsStressFreeAndLinearElasticAtIdentity) {
     for (int J = 0; J < 2; ++J)
       for (int k = 0; k < 2; ++k)
         for (int L = 0; L < 2; ++L) {
-          const double exact =
-              c.lambda * (i == J) * (k == L) + c.mu * ((i == k) * (J == L) + (i == L) * (J == k));
+          const double exact = c.lambda * (i == J) * (k == L) + c.mu * ((i == k) * (J == L) + (i == L) * (J == k));
           EXPECT_NEAR(r.tangent(i + 2 * J, k + 2 * L), exact, 1e-15 * c.mu * 10);
         }
 }
 
-// Random deformations, among them pure rotations and nearly equal stretches (the branch of the series) and stretches far apart.
+// Random deformations, among them pure rotations and nearly equal stretches (the branch of the series) and stretches
+// far apart.
 std::vector<Mat2> deformations() {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> angle(-3.1, 3.1), log_stretch(-0.9, 0.9);
@@ -62,7 +62,8 @@ TYPED_TEST(Hyperelastic, StressIsTheDerivativeOfTheEnergy) {
         Mat2 up = F, down = F;
         up(i, J) += h;
         down(i, J) -= h;
-        EXPECT_NEAR((m.energy(up) - m.energy(down)) / (2 * h), P(i, J), 2e-8 * (1.0 + P.norm() + 1.0 / std::pow(det(F), 2)));
+        EXPECT_NEAR((m.energy(up) - m.energy(down)) / (2 * h), P(i, J),
+                    2e-8 * (1.0 + P.norm() + 1.0 / std::pow(det(F), 2)));
       }
   }
 }

@@ -10,8 +10,8 @@ struct Place {
   double place;
 };
 
-// The point of the positive face, searched from `from` along its neighbours, at the distance `target` along t from y. Beyond
-// the ends of the face its last segment counts as continued.
+// The point of the positive face, searched from `from` along its neighbours, at the distance `target` along t from y.
+// Beyond the ends of the face its last segment counts as continued.
 Place walk(const Surfaces& surfaces, const FacePositions& at, Index from, const Vec2& y, const Vec2& t, double target) {
   Index f = from;
   for (int step = 0;; ++step) {

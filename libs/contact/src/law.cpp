@@ -5,7 +5,8 @@
 namespace cleft::contact {
 
 Traction traction(const Law& law, double normal_gap, double tangential_gap, bool anchored, Touch touch) {
-  // A point that was in touch and sits at the rounding of zero keeps its stiffness, so that closed faces at rest are closed.
+  // A point that was in touch and sits at the rounding of zero keeps its stiffness, so that closed faces at rest are
+  // closed.
   if (normal_gap >= (anchored ? touch.length : 0.0)) return {};
   const double normal = law.normal_penalty * normal_gap;
   if (!anchored) return {Status::Slip, normal, 0.0};

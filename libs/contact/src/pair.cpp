@@ -21,8 +21,8 @@ Frame frame(const PairPoints& p, const PairConstants& c) {
   return {p.negative_start + c.eta * along, t, c.normal_sign * turn_left(t), length};
 }
 
-// Length of the share that lies on the near side of the mouth as seen along the positive face, over the whole share, before
-// clamping to [0, 1].
+// Length of the share that lies on the near side of the mouth as seen along the positive face, over the whole share,
+// before clamping to [0, 1].
 double covered(const PairPoints& p, const PairConstants& c, const Frame& f) {
   const double overrun = -c.mouth * (f.y - p.mouth).dot(f.t);
   const double inner = (c.mouth > 0 ? c.share_end - c.eta : c.eta - c.share_begin) * f.length;
@@ -71,8 +71,7 @@ PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s)
   const Row d_tn = c.law.normal_penalty * d_normal_gap;
   Row d_tt = Row::Zero();
   if (s.traction.status == Status::Stick)
-    d_tt = c.law.tangential_penalty *
-           (f.t.transpose() * (d_anchor - dy) + (p.anchor - f.y).dot(f.n) * spin);
+    d_tt = c.law.tangential_penalty * (f.t.transpose() * (d_anchor - dy) + (p.anchor - f.y).dot(f.n) * spin);
   else if (tt != 0.0)
     d_tt = -c.law.friction * std::copysign(1.0, tt) * d_tn;
 

@@ -26,7 +26,8 @@ Ray ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double ra
   const double length = along.norm();
   const Vec2 t = along / length;
   const double sign = surfaces.faces[point.face].normal_sign();
-  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius, surfaces.faces[point.face].crack};
+  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius,
+          surfaces.faces[point.face].crack};
 }
 
 // Where the ray's line meets the line of a face, if that face looks at the ray.
@@ -41,7 +42,8 @@ bool meets(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, In
   return std::fabs(gap) <= ray.reach;
 }
 
-// Places of the point's share along its tangent, relative to the point, seen from a free end whose body lies ahead (+1) or behind.
+// Places of the point's share along its tangent, relative to the point, seen from a free end whose body lies ahead (+1)
+// or behind.
 double inner_share(const Point& point, double length, int direction) {
   return (direction > 0 ? point.share_end - point.eta : point.eta - point.share_begin) * length;
 }
@@ -119,10 +121,11 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
   }
 }
 
-PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
+PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                       const Memory& memory) {
   const Index own = surfaces.points[p].face;
-  PairPoints out{at.start[own], at.end[own], at.start[pair.partner_face], at.end[pair.partner_face], Vec2::Zero(),
-                 Vec2::Zero()};
+  PairPoints out{at.start[own], at.end[own], at.start[pair.partner_face], at.end[pair.partner_face],
+                 Vec2::Zero(),  Vec2::Zero()};
   if (const Index a = memory.anchor_face; a != kNone)
     out.anchor = (1.0 - memory.anchor_place) * at.start[a] + memory.anchor_place * at.end[a];
   if (const Index m = pair.mouth_face; m != kNone) out.mouth = pair.mouth_at_end ? at.end[m] : at.start[m];
@@ -133,8 +136,15 @@ PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, 
                              const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  PairConstants out{surfaces.laws[face.crack], surfaces.touch(),     point.weight,       point.eta, point.share_begin,
-                    point.share_end,           face.normal_sign(), memory.anchor_face != kNone, 0};
+  PairConstants out{surfaces.laws[face.crack],
+                    surfaces.touch(),
+                    point.weight,
+                    point.eta,
+                    point.share_begin,
+                    point.share_end,
+                    face.normal_sign(),
+                    memory.anchor_face != kNone,
+                    0};
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];
     const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;

@@ -12,7 +12,8 @@ struct Rule {
 
 Rule gauss(int points) {
   switch (points) {
-    case 1: return {{0.5}, {1.0}};
+    case 1:
+      return {{0.5}, {1.0}};
     case 2: {
       const double a = 0.5 / std::sqrt(3.0);
       return {{0.5 - a, 0.5 + a}, {0.5, 0.5}};
@@ -26,7 +27,8 @@ Rule gauss(int points) {
       const double w = std::sqrt(30.0) / 72;
       return {{0.5 - b, 0.5 - a, 0.5 + a, 0.5 + b}, {0.25 - w, 0.25 + w, 0.25 + w, 0.25 - w}};
     }
-    default: throw std::invalid_argument("contact quadrature: 1 to 4 points a segment");
+    default:
+      throw std::invalid_argument("contact quadrature: 1 to 4 points a segment");
   }
 }
 

@@ -38,8 +38,12 @@ PairPoints points(double angle, double sign, double anchor_along, double mouth_a
   Mat2 turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   const Vec2 n(0.0, sign);
-  const PairPoints p{Vec2(0.0, 0.0), Vec2(1.1, 0.1 * sign), Vec2(-0.4, 0.02 * sign) - 0.1 * n, Vec2(0.9, 0.17 * sign) - 0.1 * n,
-                     Vec2(0.23 + anchor_along, 0.0),     Vec2(0.23 + mouth_along, 0.03)};
+  const PairPoints p{Vec2(0.0, 0.0),
+                     Vec2(1.1, 0.1 * sign),
+                     Vec2(-0.4, 0.02 * sign) - 0.1 * n,
+                     Vec2(0.9, 0.17 * sign) - 0.1 * n,
+                     Vec2(0.23 + anchor_along, 0.0),
+                     Vec2(0.23 + mouth_along, 0.03)};
   return {turn * p.negative_start, turn * p.negative_end, turn * p.positive_start,
           turn * p.positive_end,   turn * p.anchor,       turn * p.mouth};
 }

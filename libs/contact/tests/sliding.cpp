@@ -84,7 +84,8 @@ TEST_P(Sliding, PressureResultantFallsContinuouslyAsTheOverlapShrinks) {
     s.look(s.shift({along, -1e-3}));
     double force = 0.0;
     for (std::size_t p = 0; p < s.pairs.size(); ++p)
-      if (s.pairs[p].partner_face != kNone) force -= s.surfaces.points[p].weight * s.pairs[p].state.ramp * s.pairs[p].state.traction.normal;
+      if (s.pairs[p].partner_face != kNone)
+        force -= s.surfaces.points[p].weight * s.pairs[p].state.ramp * s.pairs[p].state.traction.normal;
     EXPECT_NEAR(force, 1e3 * 1e-3 * (1.0 - along), 1e-12) << "the quadrature is clipped exactly at the projected mouth";
     EXPECT_LT(force, last);
     last = force;
@@ -153,7 +154,8 @@ TEST_P(Sliding, AFirstTouchIsAnchoredAtThePartner) {
   const auto before = s.pairs;
   s.commit();
   for (std::size_t p = 0; p < s.pairs.size(); ++p)
-    EXPECT_EQ(s.memory[p].anchor_face, before[p].state.traction.status == Status::Open ? kNone : before[p].partner_face);
+    EXPECT_EQ(s.memory[p].anchor_face,
+              before[p].state.traction.status == Status::Open ? kNone : before[p].partner_face);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   return out;
 }
 
-Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element, int corner,
-                   geometry::Side side) {
+Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element,
+                   int corner, geometry::Side side) {
   const Index node = mesh.triangles[element.element][corner];
   const Index ghost = unknowns.ghost[node];
   return element.node_side[corner] == side || ghost == kNone ? node : ghost;

@@ -26,7 +26,8 @@ struct Body {
   /// Displacements that are one linear field on the left side and another on the right.
   VecX two_fields(const Mat2& left, const Vec2& left_shift, const Mat2& right, const Vec2& right_shift) const {
     std::vector<Side> side(mesh.nodes.size(), Side::Right);
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) side[i] = mesh.nodes[i].y() > 0.5 ? Side::Left : Side::Right;  // far from the crack
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      side[i] = mesh.nodes[i].y() > 0.5 ? Side::Left : Side::Right;  // far from the crack
     for (const auto& e : cut.elements)
       for (int k = 0; k < 3; ++k) side[mesh.triangles[e.element][k]] = e.node_side[k];
     VecX u(unknowns.components());
@@ -72,7 +73,8 @@ TEST(Faces, JumpIsTheDifferenceOfTheTwoFields) {
   const VecX u = body.two_fields(Mat2::Zero(), {0.3, 0.1}, Mat2::Zero(), {-0.2, 0.05});
   for (Index s = 0; s < static_cast<Index>(body.cut.segments.size()); ++s)
     for (const auto part : {&Face::start, &Face::end}) {
-      const Vec2 jump = (body.faces[face_of(s, Side::Left)].*part).displacement(u) - (body.faces[face_of(s, Side::Right)].*part).displacement(u);
+      const Vec2 jump = (body.faces[face_of(s, Side::Left)].*part).displacement(u) -
+                        (body.faces[face_of(s, Side::Right)].*part).displacement(u);
       EXPECT_LT((jump - Vec2(0.5, 0.05)).norm(), 1e-14);
     }
 }
@@ -102,7 +104,8 @@ TEST(Faces, FormOneChainFromMouthToTip) {
     int length = 0;
     for (Index f = face_of(0, side); f != kNone; f = body.faces[f].next) ++length;
     EXPECT_EQ(length, static_cast<int>(body.cut.segments.size()));
-    const auto &first = body.faces[face_of(0, side)], &last = body.faces[face_of(static_cast<Index>(body.cut.segments.size()) - 1, side)];
+    const auto &first = body.faces[face_of(0, side)],
+               &last = body.faces[face_of(static_cast<Index>(body.cut.segments.size()) - 1, side)];
     EXPECT_TRUE(first.free_start) << "a mouth is a free end";
     EXPECT_FALSE(last.free_end) << "a tip is not";
     EXPECT_EQ(first.previous, kNone);
@@ -116,12 +119,16 @@ TEST(Unknowns, JumpVanishesAtTheTip) {
   for (const Index node : body.cut.tip_nodes) EXPECT_EQ(body.unknowns.ghost[node], kNone);
   const VecX u = VecX::Random(body.unknowns.components());
   const Index last = static_cast<Index>(body.cut.segments.size()) - 1;
-  const Vec2 jump = body.faces[face_of(last, Side::Left)].end.displacement(u) - body.faces[face_of(last, Side::Right)].end.displacement(u);
+  const Vec2 jump = body.faces[face_of(last, Side::Left)].end.displacement(u) -
+                    body.faces[face_of(last, Side::Right)].end.displacement(u);
   EXPECT_LT(jump.norm(), 1e-14);
 }
 
 TEST(Unknowns, EveryOneHasStiffnessAlsoWhenTheCrackRunsAlongMeshLines) {
-  for (const auto& crack : {std::vector<Vec2>{{0.0, 0.5}, {1.0, 0.5}}, {{0.5, 0.0}, {0.5, 1.0}}, {{0.0, 0.0}, {1.0, 1.0}}, {{0.0, 0.5}, {0.6, 0.5}},
+  for (const auto& crack : {std::vector<Vec2>{{0.0, 0.5}, {1.0, 0.5}},
+                            {{0.5, 0.0}, {0.5, 1.0}},
+                            {{0.0, 0.0}, {1.0, 1.0}},
+                            {{0.0, 0.5}, {0.6, 0.5}},
                             {{0.0, 0.25}, {1.0, 0.75}}}) {
     const Body body(crack);
     std::vector<double> area(body.unknowns.count, 0.0);

@@ -16,7 +16,8 @@ std::vector<Vec2> sine_curve(const Vec2& start, const Vec2& end, double amplitud
   if (!std::isfinite(amplitude)) throw InputError({}, "amplitude", "must be a number");
   if (amplitude == 0.0 || periods == 0.0) return {start, end};
 
-  // A chord over the phase d is within d^2/8 |amplitude| of the sine, measured across the axis, hence at most that far away.
+  // A chord over the phase d is within d^2/8 |amplitude| of the sine, measured across the axis, hence at most that far
+  // away.
   const double quarters = 4.0 * periods;
   const double chord_phase = std::sqrt(8.0 * tolerance / std::abs(amplitude));
   const double steps_a_quarter = std::ceil(0.5 * std::numbers::pi / chord_phase);

@@ -11,15 +11,16 @@ namespace cleft::geometry {
 namespace {
 
 void check_points(const Crack& crack) {
-  if (crack.points.size() < 2) throw InputError({}, crack.name, "has fewer than two points; a crack needs at least two");
+  if (crack.points.size() < 2)
+    throw InputError({}, crack.name, "has fewer than two points; a crack needs at least two");
   for (std::size_t k = 0; k < crack.points.size(); ++k) {
     if (!crack.points[k].allFinite()) {
       throw InputError({}, crack.name, "point " + std::to_string(k + 1) + " is not finite");
     }
     if (k > 0 && crack.points[k] == crack.points[k - 1]) {
-      throw InputError(
-          {}, crack.name,
-          "points " + std::to_string(k) + " and " + std::to_string(k + 1) + " coincide; consecutive points must differ");
+      throw InputError({}, crack.name,
+                       "points " + std::to_string(k) + " and " + std::to_string(k + 1) +
+                           " coincide; consecutive points must differ");
     }
   }
 }
@@ -58,8 +59,9 @@ void check_cracks(const std::vector<Crack>& cracks) {
                          "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
                              std::to_string(place[k].second + 1) + " meet, which is not allowed");
       }
-      throw InputError({}, name,
-                       "crosses or touches crack " + cracks[place[k].first].name + "; cracks must keep clear of each other");
+      throw InputError(
+          {}, name,
+          "crosses or touches crack " + cracks[place[k].first].name + "; cracks must keep clear of each other");
     });
   }
 }

@@ -21,7 +21,10 @@ namespace {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const std::vector<Crack>& cracks)
-      : cracks_(cracks), terrain_(mesh), node_crack_(mesh.nodes.size(), kNone), node_side_(mesh.nodes.size(), Side::Right) {}
+      : cracks_(cracks),
+        terrain_(mesh),
+        node_crack_(mesh.nodes.size(), kNone),
+        node_side_(mesh.nodes.size(), Side::Right) {}
 
   void run(CutMesh& result) {
     const auto ends = locate_ends(terrain_, cracks_);
@@ -58,9 +61,10 @@ class Cutter {
         } else if (const Index owner = result.elements[static_cast<std::size_t>(cut)].crack; owner != c) {
           too_near(owner, c);
         }
-        paths[static_cast<std::size_t>(cut) - first].push_back(
-            {passage.in_edge, passage.out_edge, &trace.crossings[static_cast<std::size_t>(passage.in)],
-             &trace.crossings[static_cast<std::size_t>(passage.out)], kinks_of(terrain_.topology, trace, crack, passage)});
+        paths[static_cast<std::size_t>(cut) - first].push_back({passage.in_edge, passage.out_edge,
+                                                                &trace.crossings[static_cast<std::size_t>(passage.in)],
+                                                                &trace.crossings[static_cast<std::size_t>(passage.out)],
+                                                                kinks_of(terrain_.topology, trace, crack, passage)});
       }
     }
     for (std::size_t e = first; e < result.elements.size(); ++e) {
@@ -89,11 +93,12 @@ class Cutter {
   }
 
   [[noreturn]] void too_near(Index one, Index two) const {
-    const std::string &a = cracks_[static_cast<std::size_t>(one)].name, &b = cracks_[static_cast<std::size_t>(two)].name;
-    throw InputError(
-        {}, b,
-        "cracks " + a + " and " + b +
-            " are too near each other for this mesh: they cut elements with a common node; refine the mesh between them");
+    const std::string &a = cracks_[static_cast<std::size_t>(one)].name,
+                      &b = cracks_[static_cast<std::size_t>(two)].name;
+    throw InputError({}, b,
+                     "cracks " + a + " and " + b +
+                         " are too near each other for this mesh: they cut elements with a common node; refine the "
+                         "mesh between them");
   }
 
   // A node opens if some element has a part on the other side of the crack.

@@ -19,8 +19,8 @@ void SegmentGrid::build(std::span<const Vec2> starts, std::span<const Vec2> ends
     high_ = high_.cwiseMax(starts[k]).cwiseMax(ends[k]);
     sum_of_squares += (ends[k] - starts[k]).squaredNorm();
   }
-  // With cells of the root mean square length the boxes of n segments cover O(n) cells in total, whatever their lengths.
-  // Points, or segments far smaller than their distances, get cells of which about one in eight is occupied.
+  // With cells of the root mean square length the boxes of n segments cover O(n) cells in total, whatever their
+  // lengths. Points, or segments far smaller than their distances, get cells of which about one in eight is occupied.
   const double n = count_;
   const double spread = (high_ - low_).maxCoeff() / std::sqrt(8.0 * n);
   const bool sparse = sum_of_squares / n < 1e-4 * spread * spread;

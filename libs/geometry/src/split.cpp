@@ -8,8 +8,8 @@ namespace cleft::geometry {
 
 namespace {
 
-// Which pieces there are, and what bounds them, follows from the order of the crossings around the triangle alone, and that
-// order is exact. Coordinates only enter areas and sub-triangles.
+// Which pieces there are, and what bounds them, follows from the order of the crossings around the triangle alone, and
+// that order is exact. Coordinates only enter areas and sub-triangles.
 struct Corner {
   int id;  // 0..2 nodes, 3 + 2 p and 4 + 2 p the ends of path p, kKink otherwise
   Vec2 point;

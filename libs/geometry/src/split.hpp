@@ -23,7 +23,8 @@ struct Division {
   std::array<std::vector<std::array<Vec2, 3>>, 2> sub_triangles;
 };
 
-/// Divides triangle `t` by paths that do not cross each other. Nothing if they do, or if a piece would lie on both sides.
+/// Divides triangle `t` by paths that do not cross each other. Nothing if they do, or if a piece would lie on both
+/// sides.
 std::optional<Division> divide(const Mesh& mesh, Index t, const std::vector<Path>& paths);
 
 }  // namespace cleft::geometry

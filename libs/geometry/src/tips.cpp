@@ -52,7 +52,8 @@ void settle_tip(const Terrain& terrain, const Tracer& tracer, const Crack& crack
   const double nominal = end == 0 ? 0.0 : tracer.length();
   const double back = std::abs(at(trace, inner).s - nominal);
   const double on = std::abs(at(trace, exit.crossing).s - nominal);
-  // Without the margin rounding would choose where both are equally near, as at a node, and the choice depend on direction.
+  // Without the margin rounding would choose where both are equally near, as at a node, and the choice depend on
+  // direction.
   if (on < back - 1e-9 * terrain.topology.size(passage.element)) {
     check_way_on(crack, at(trace, exit.crossing).point, end);
     (end == 0 ? passage.in : passage.out) = exit.crossing;
@@ -100,7 +101,8 @@ std::vector<Vec2> kinks_of(const Topology& topology, const Trace& trace, const C
   const double size = topology.size(passage.element);
   for (Vec2& kink : kinks) {
     for (const int crossing : {passage.in, passage.out}) {
-      if (crossing >= 0 && (kink - at(trace, crossing).point).norm() <= kSamePoint * size) kink = at(trace, crossing).point;
+      if (crossing >= 0 && (kink - at(trace, crossing).point).norm() <= kSamePoint * size)
+        kink = at(trace, crossing).point;
     }
     for (int k = 0; k < 3; ++k) {
       const Vec2& node = topology.corner(passage.element, k);
@@ -128,9 +130,9 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
   if (trace.chains.empty()) too_short(crack);
   std::erase_if(trace.chains, [&](const Chain& chain) { return !divides(terrain, trace, crack, chain); });
   if (trace.chains.empty()) {
-    throw InputError(
-        {}, crack.name,
-        "lies outside of the body: it only touches the boundary or runs along it; at least a part of a crack must be inside");
+    throw InputError({}, crack.name,
+                     "lies outside of the body: it only touches the boundary or runs along it; at least a part of a "
+                     "crack must be inside");
   }
   for (const Chain& chain : trace.chains) collect_tip_nodes(trace, chain, tip_nodes);
 }

@@ -34,7 +34,8 @@ TriangleEdge Topology::across(TriangleEdge edge) const {
 
 std::vector<TriangleEdge> Topology::boundary() const {
   // Around an inner node the opposite edges close a ring, so any number given to nodes sums to zero over it, ends taken
-  // against starts. That finds the nodes of the boundary in one cheap sweep; only edges between two such nodes are looked up.
+  // against starts. That finds the nodes of the boundary in one cheap sweep; only edges between two such nodes are
+  // looked up.
   const auto scrambled = [](Index n) {
     auto x = (static_cast<std::uint64_t>(n) + 1) * 0x9e3779b97f4a7c15U;
     x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -43,14 +44,17 @@ std::vector<TriangleEdge> Topology::boundary() const {
   std::vector<std::uint64_t> ring(mesh_.nodes.size(), 0);
   for (const auto& triangle : mesh_.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      ring[static_cast<std::size_t>(triangle[k])] += scrambled(triangle[(k + 2) % 3]) - scrambled(triangle[(k + 1) % 3]);
+      ring[static_cast<std::size_t>(triangle[k])] +=
+          scrambled(triangle[(k + 2) % 3]) - scrambled(triangle[(k + 1) % 3]);
     }
   }
   std::vector<TriangleEdge> edges;
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& triangle = mesh_.triangles[t];
     for (int k = 0; k < 3; ++k) {
-      const auto at = [&](int local) { return ring[static_cast<std::size_t>(triangle[static_cast<std::size_t>(local % 3)])]; };
+      const auto at = [&](int local) {
+        return ring[static_cast<std::size_t>(triangle[static_cast<std::size_t>(local % 3)])];
+      };
       if (at(k) == 0 || at(k + 1) == 0) continue;
       const TriangleEdge edge{static_cast<Index>(t), k};
       if (across(edge).triangle == kNone) edges.push_back(edge);

@@ -23,7 +23,9 @@ class Topology {
   Index node(Index triangle, int local) const {
     return mesh_.triangles[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(local % 3)];
   }
-  const Vec2& corner(Index triangle, int local) const { return mesh_.nodes[static_cast<std::size_t>(node(triangle, local))]; }
+  const Vec2& corner(Index triangle, int local) const {
+    return mesh_.nodes[static_cast<std::size_t>(node(triangle, local))];
+  }
 
   /// The same edge seen from the triangle beyond it; triangle kNone on the boundary.
   TriangleEdge across(TriangleEdge edge) const;

@@ -15,8 +15,8 @@ double Tracer::arc_length(const Vec2& point, int segment) const {
   return arc_[static_cast<std::size_t>(segment)] + (point - on.start).dot((on.end - on.start).normalized());
 }
 
-// Of a triangle's nodes some lie left and some right of a line through it. Counter-clockwise, the line leaves where they
-// change from right to left and enters where they change back; each happens once.
+// Of a triangle's nodes some lie left and some right of a line through it. Counter-clockwise, the line leaves where
+// they change from right to left and enters where they change back; each happens once.
 int Tracer::leaving_edge(Index triangle, const Line& line, bool backward) const {
   const Topology& topology = terrain_.topology;
   std::array<int, 3> side{};

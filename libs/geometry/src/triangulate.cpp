@@ -6,7 +6,8 @@ namespace cleft::geometry {
 
 double twice_polygon_area(std::span<const Vec2> polygon) {
   double sum = 0.0;
-  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) sum += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    sum += cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
   return sum;
 }
 
@@ -14,7 +15,8 @@ namespace {
 
 class EarClipper {
  public:
-  EarClipper(std::vector<Vec2> polygon, double negligible) : polygon_(std::move(polygon)), negligible_(2.0 * negligible) {}
+  EarClipper(std::vector<Vec2> polygon, double negligible)
+      : polygon_(std::move(polygon)), negligible_(2.0 * negligible) {}
 
   void run(std::vector<std::array<Vec2, 3>>& triangles) {
     while (polygon_.size() >= 3) {
@@ -47,8 +49,9 @@ class EarClipper {
     return ear;
   }
 
-  // Corners on a straight line go first: they take no area with them. Corners that touch an ear within rounding forbid it if
-  // there is another. Rounding may leave a polygon without any ear, then the most convex corner is as good as any.
+  // Corners on a straight line go first: they take no area with them. Corners that touch an ear within rounding forbid
+  // it if there is another. Rounding may leave a polygon without any ear, then the most convex corner is as good as
+  // any.
   std::size_t next() const {
     std::size_t convex = 0;
     for (std::size_t k = 0; k < polygon_.size(); ++k) {

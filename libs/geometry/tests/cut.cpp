@@ -15,7 +15,9 @@ using Kind = CrackEnd::Kind;
 constexpr auto kLeft = static_cast<std::size_t>(Side::Left);
 constexpr auto kRight = static_cast<std::size_t>(Side::Right);
 
-Mesh unit(int nx, int ny, Diagonal diagonal = Diagonal::Right) { return structured_mesh({0, 0, 1, 1}, {nx, ny}, diagonal); }
+Mesh unit(int nx, int ny, Diagonal diagonal = Diagonal::Right) {
+  return structured_mesh({0, 0, 1, 1}, {nx, ny}, diagonal);
+}
 
 CutMesh sound_cut(const Mesh& mesh, const std::vector<Crack>& cracks) {
   CutMesh result = cut(mesh, cracks);
@@ -235,8 +237,9 @@ TEST(Cut, SeveralCracksKeepTheirOrder) {
 TEST(Cut, LeavesTheBodyAndComesBackAsTwoChains) {
   const std::vector<Crack> cracks{{"c", {{-0.1, 0.2}, {1.2, 0.25}, {1.2, 0.7}, {-0.1, 0.75}}}};
   const CutMesh result = sound_cut(unit(8, 8), cracks);
-  EXPECT_EQ(
-      std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
+  EXPECT_EQ(std::count_if(result.segments.begin(), result.segments.end(),
+                          [](const FaceSegment& s) { return !s.joins_previous; }),
+            2);
   EXPECT_EQ(result.cracks[0].ends[0].kind, Kind::Mouth);
   EXPECT_EQ(result.cracks[0].ends[1].kind, Kind::Mouth);
   EXPECT_NEAR(test::face_length(result, 0), 2 * std::hypot(1.0, 0.05 / 1.3), 1e-14);
@@ -251,8 +254,9 @@ TEST(Cut, NotchInterruptsTheCrack) {
     return middle.x() > 1.0 / 3 && middle.x() < 2.0 / 3 && middle.y() > 1.0 / 3;
   });
   const CutMesh result = sound_cut(mesh, {{"c", {{0, 0.6}, {1, 0.62}}}});
-  EXPECT_EQ(
-      std::count_if(result.segments.begin(), result.segments.end(), [](const FaceSegment& s) { return !s.joins_previous; }), 2);
+  EXPECT_EQ(std::count_if(result.segments.begin(), result.segments.end(),
+                          [](const FaceSegment& s) { return !s.joins_previous; }),
+            2);
   EXPECT_NEAR(test::face_length(result, 0), 2.0 / 3 * std::hypot(1.0, 0.02), 1e-14);
 }
 
@@ -273,11 +277,14 @@ TEST(Cut, EndWithinRoundingOfTheBoundaryIsAMouth) {
 }
 
 // The outer piece touches itself at the node: it once was triangulated twice over.
-TEST(Cut, KinkOnABoundaryNodeFillsBothSides) { sound_cut(unit(10, 8), {{"c", {{0.45, 0.625}, {0, 0.25}, {0.1, 0.875}}}}); }
+TEST(Cut, KinkOnABoundaryNodeFillsBothSides) {
+  sound_cut(unit(10, 8), {{"c", {{0.45, 0.625}, {0, 0.25}, {0.1, 0.875}}}});
+}
 
 // A mouth just inside of the boundary once left a sliver to neither side.
 TEST(Cut, MouthInsideTheBoundaryLosesNoArea) {
-  sound_cut(unit(2, 6), {{"c", {{0.74999999999938749, 1.8371768829253753e-13}, {0.75000000000037093, 0.33333333333311316}}}});
+  sound_cut(unit(2, 6),
+            {{"c", {{0.74999999999938749, 1.8371768829253753e-13}, {0.75000000000037093, 0.33333333333311316}}}});
 }
 
 // Along diagonals within rounding, where a crossing computed in doubles depends on the direction.

@@ -9,7 +9,8 @@
 namespace cleft::geometry {
 namespace {
 
-void expect_refused(const Mesh& mesh, const std::vector<Crack>& cracks, const std::string& key, const std::string& part) {
+void expect_refused(const Mesh& mesh, const std::vector<Crack>& cracks, const std::string& key,
+                    const std::string& part) {
   const auto [got_key, problem] = test::complaint(mesh, cracks);
   EXPECT_EQ(got_key, key);
   EXPECT_NE(problem.find(part), std::string::npos) << "says: " << problem;
@@ -51,14 +52,15 @@ TEST(CutErrors, TooNearAnotherCrack) {
 }
 
 TEST(CutErrors, TooShort) {
-  expect_refused(unit(2), {{"dot", {{0.3, 0.1}, {0.32, 0.12}}}}, "dot", "too short");          // in one element
-  expect_refused(unit(2), {{"edge", {{0.24, 0.26}, {0.26, 0.24}}}}, "edge", "too short");      // across one edge
-  expect_refused(unit(4), {{"single", {{0.299, 0.3}, {0.501, 0.3}}}}, "single", "too short");  // all nodes of one element shut
+  expect_refused(unit(2), {{"dot", {{0.3, 0.1}, {0.32, 0.12}}}}, "dot", "too short");      // in one element
+  expect_refused(unit(2), {{"edge", {{0.24, 0.26}, {0.26, 0.24}}}}, "edge", "too short");  // across one edge
+  expect_refused(unit(4), {{"single", {{0.299, 0.3}, {0.501, 0.3}}}}, "single",
+                 "too short");  // all nodes of one element shut
 }
 
 TEST(CutErrors, WindsTooTightly) {
-  expect_refused(unit(3), {{"spiral", {{0.45, 0.5}, {0.7, 0.5}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.45}, {0.8, 0.45}}}}, "spiral",
-                 "winds");
+  expect_refused(unit(3), {{"spiral", {{0.45, 0.5}, {0.7, 0.5}, {0.7, 0.7}, {0.2, 0.7}, {0.2, 0.45}, {0.8, 0.45}}}},
+                 "spiral", "winds");
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ double random_between(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// About every other crack has its points on a lattice of half cells, hence on nodes, edges and diagonals of unshaken meshes.
+// About every other crack has its points on a lattice of half cells, hence on nodes, edges and diagonals of unshaken
+// meshes.
 Case random_case() {
   const std::array<int, 2> cells{*rc::gen::inRange(2, 14), *rc::gen::inRange(2, 14)};
   const auto diagonal = *rc::gen::element(Diagonal::Right, Diagonal::Left, Diagonal::Alternating);
@@ -78,7 +79,8 @@ RC_GTEST_PROP(CutProperty, ReversalSwapsSides, ()) {
     const CutElement& mirror = back->elements[static_cast<std::size_t>(k)];
     for (std::size_t n = 0; n < 3; ++n) RC_ASSERT(element.node_side[n] == other(mirror.node_side[n]));
     const double total = triangle_area(mesh, element.element);
-    // Where a crack runs along an edge within rounding, its crossing with this edge may be anywhere on it, at no cost in area.
+    // Where a crack runs along an edge within rounding, its crossing with this edge may be anywhere on it, at no cost
+    // in area.
     RC_ASSERT(std::abs(element.area[0] - mirror.area[1]) <= 1e-9 * total);
   }
 }
@@ -101,8 +103,8 @@ RC_GTEST_PROP(CutProperty, SidesOfThroughCrackFillTheBody, ()) {
   };
   double below = 0.0;
   for (int k = 0; k + 1 < count; ++k) {
-    below +=
-        0.5 * (crack.points[static_cast<std::size_t>(k)].y() + crack.points[static_cast<std::size_t>(k) + 1].y()) / (count - 1);
+    below += 0.5 * (crack.points[static_cast<std::size_t>(k)].y() + crack.points[static_cast<std::size_t>(k) + 1].y()) /
+             (count - 1);
   }
   double left = 0.0;
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
@@ -112,14 +114,16 @@ RC_GTEST_PROP(CutProperty, SidesOfThroughCrackFillTheBody, ()) {
       continue;
     }
     Vec2 middle = Vec2::Zero();
-    for (const Index n : mesh.triangles[static_cast<std::size_t>(t)]) middle += mesh.nodes[static_cast<std::size_t>(n)] / 3.0;
+    for (const Index n : mesh.triangles[static_cast<std::size_t>(t)])
+      middle += mesh.nodes[static_cast<std::size_t>(n)] / 3.0;
     if (middle.y() > height(middle.x())) left += triangle_area(mesh, t);
   }
   RC_ASSERT(std::abs(left - (1.0 - below)) <= 1e-6);
   for (const CrackEnd& end : result->cracks[0].ends) RC_ASSERT(end.kind == CrackEnd::Kind::Mouth);
 }
 
-// Straight cracks: the sub-triangles lie on their side, and the faces are as long as the crack that is clipped to the body.
+// Straight cracks: the sub-triangles lie on their side, and the faces are as long as the crack that is clipped to the
+// body.
 RC_GTEST_PROP(CutProperty, StraightCrackKeepsItsLineAndLength, ()) {
   auto [mesh, crack] = random_case();
   crack.points.resize(2);

@@ -72,7 +72,8 @@ TEST(Edges, KnowTheirTriangles) {
   const Mesh mesh = structured_mesh({0, 0, 1, 1}, {7, 5}, Diagonal::Alternating);
   const Edges edges = edges_of(mesh);
   EXPECT_EQ(edges.nodes.size(), mesh.nodes.size() + mesh.triangles.size() - 1);  // Euler
-  EXPECT_EQ(std::count_if(edges.triangles.begin(), edges.triangles.end(), [](const auto& t) { return t[1] == kNone; }), 24);
+  EXPECT_EQ(std::count_if(edges.triangles.begin(), edges.triangles.end(), [](const auto& t) { return t[1] == kNone; }),
+            24);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto e = static_cast<std::size_t>(edges.of_triangle[t][k]);
@@ -99,7 +100,8 @@ TEST(ShapeFunctions, ReproduceLinearFields) {
   const Vec2 outside(5, 7);
   const auto values = shape_values(mesh, 0, outside);
   EXPECT_NEAR(values[0] + values[1] + values[2], 1, 1e-14);
-  EXPECT_NEAR((values[0] * mesh.nodes[0] + values[1] * mesh.nodes[1] + values[2] * mesh.nodes[2] - outside).norm(), 0, 1e-13);
+  EXPECT_NEAR((values[0] * mesh.nodes[0] + values[1] * mesh.nodes[1] + values[2] * mesh.nodes[2] - outside).norm(), 0,
+              1e-13);
 }
 
 }  // namespace

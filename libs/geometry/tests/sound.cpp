@@ -76,7 +76,8 @@ std::string flaw_of_cracks(const std::vector<Crack>& cracks, const CutMesh& cut)
     const CrackCut& entry = cut.cracks[c];
     if (entry.first_segment != next || entry.last_segment <= entry.first_segment) return "range of segments";
     next = entry.last_segment;
-    const auto first = static_cast<std::size_t>(entry.first_segment), last = static_cast<std::size_t>(entry.last_segment) - 1;
+    const auto first = static_cast<std::size_t>(entry.first_segment),
+               last = static_cast<std::size_t>(entry.last_segment) - 1;
     if (cut.segments[first].joins_previous) return "first segment of a crack joins";
     if (cut.segments[first].start != entry.ends[0].effective) return "effective start";
     if (cut.segments[last].end != entry.ends[1].effective) return "effective end";
@@ -98,7 +99,8 @@ std::string flaw(const Mesh& mesh, const std::vector<Crack>& cracks, const CutMe
   }
   for (std::size_t t = 0; t < cut.cut_of_element.size(); ++t) {
     const Index k = cut.cut_of_element[t];
-    if (k != kNone && cut.elements.at(static_cast<std::size_t>(k)).element != static_cast<Index>(t)) return "cut_of_element";
+    if (k != kNone && cut.elements.at(static_cast<std::size_t>(k)).element != static_cast<Index>(t))
+      return "cut_of_element";
   }
   if (auto text = flaw_of_nodes(mesh, cut); !text.empty()) return text;
   if (auto text = flaw_of_segments(mesh, cut); !text.empty()) return text;
@@ -108,7 +110,8 @@ std::string flaw(const Mesh& mesh, const std::vector<Crack>& cracks, const CutMe
 
 double face_length(const CutMesh& cut, Index c) {
   double length = 0.0;
-  for (const FaceSegment& segment : cut.segments) length += segment.crack == c ? (segment.end - segment.start).norm() : 0.0;
+  for (const FaceSegment& segment : cut.segments)
+    length += segment.crack == c ? (segment.end - segment.start).norm() : 0.0;
   return length;
 }
 

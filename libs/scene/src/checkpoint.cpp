@@ -14,10 +14,8 @@ constexpr char kMagic[] = "cleft checkpoint 1\n";
 struct Writer {
   std::string out;
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) {
-    out.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
   void size(std::uint64_t& n) { (*this)(n); }
   void raw(void* data, std::size_t bytes) { out.append(static_cast<const char*>(data), bytes); }
 };
@@ -31,10 +29,8 @@ struct Reader {
     at += bytes;
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) {
-    raw(&value, sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { raw(&value, sizeof value); }
   void size(std::uint64_t& n) {
     (*this)(n);
     if (n > in.size()) throw std::out_of_range("checkpoint");  // no array has more entries than the file has bytes
@@ -120,7 +116,8 @@ std::string to_bytes(const Checkpoint& checkpoint) {
 
 Checkpoint checkpoint_from(const std::string& bytes, const std::string& path) {
   const std::size_t magic = sizeof kMagic - 1;
-  if (bytes.compare(0, magic, kMagic) != 0) throw std::runtime_error(path + ": not a checkpoint of this version of cleft");
+  if (bytes.compare(0, magic, kMagic) != 0)
+    throw std::runtime_error(path + ": not a checkpoint of this version of cleft");
   std::uint32_t sum = 0;
   if (bytes.size() >= magic + sizeof sum) std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
   if (bytes.size() < magic + sizeof sum || sum != checksum(bytes.data(), bytes.size() - sizeof sum))

@@ -21,8 +21,11 @@ Json crack(const CrackSpec& c) {
   constexpr std::array kSides{"right", "left", "both"};
   Json j{{"name", c.name}, {"negative_side", kSides[static_cast<int>(c.negative_side)]}, {"friction", c.friction}};
   if (c.sine)
-    j["curve"] = {{"kind", "sine"}, {"start", point(c.sine->start)}, {"end", point(c.sine->end)},
-                  {"amplitude", c.sine->amplitude}, {"periods", c.sine->periods}};
+    j["curve"] = {{"kind", "sine"},
+                  {"start", point(c.sine->start)},
+                  {"end", point(c.sine->end)},
+                  {"amplitude", c.sine->amplitude},
+                  {"periods", c.sine->periods}};
   else
     for (const Vec2& p : c.points) j["points"].push_back(point(p));
   j["contact"] = {{"method", "penalty"}};
@@ -33,14 +36,18 @@ Json crack(const CrackSpec& c) {
 
 Json boundary(const BoundarySpec& b) {
   Json j{{"name", b.name}};
-  if (b.box) j["box"] = *b.box;
-  else j["on"] = b.on;
+  if (b.box)
+    j["box"] = *b.box;
+  else
+    j["on"] = b.on;
   if (b.ux) j["ux"] = *b.ux;
   if (b.uy) j["uy"] = *b.uy;
   if (b.affine) j["affine"] = {{(*b.affine)(0, 0), (*b.affine)(0, 1)}, {(*b.affine)(1, 0), (*b.affine)(1, 1)}};
   if (b.field) j["field"] = field(*b.field);
   if (b.rotation)
-    j["rotation"] = {{"center", point(b.rotation->center)}, {"degrees", b.rotation->degrees}, {"amplitude", b.rotation->amplitude.points}};
+    j["rotation"] = {{"center", point(b.rotation->center)},
+                     {"degrees", b.rotation->degrees},
+                     {"amplitude", b.rotation->amplitude.points}};
   j["amplitude"] = b.amplitude.points;
   return j;
 }
@@ -48,7 +55,9 @@ Json boundary(const BoundarySpec& b) {
 Json physics(const Scene& s) {
   constexpr std::array kDiagonals{"right", "left", "alternating"};
   Json j;
-  j["mesh"] = {{"kind", "structured"}, {"box", s.mesh.box}, {"cells", s.mesh.cells},
+  j["mesh"] = {{"kind", "structured"},
+               {"box", s.mesh.box},
+               {"cells", s.mesh.cells},
                {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
   j["material"] = {{"model", s.material.model}, {"young", s.material.young}, {"poisson", s.material.poisson}};
   j["formulation"] = {{"kinematics", "finite"}, {"tip_enrichment", 0.0}};
@@ -58,13 +67,19 @@ Json physics(const Scene& s) {
   for (const auto& t : s.tractions)
     j["traction"].push_back({{"on", t.on}, {"value", point(t.value)}, {"amplitude", t.amplitude.points}});
   if (s.gravity)
-    j["gravity"] = {{"value", point(s.gravity->value)}, {"density", s.gravity->density}, {"amplitude", s.gravity->amplitude.points}};
+    j["gravity"] = {{"value", point(s.gravity->value)},
+                    {"density", s.gravity->density},
+                    {"amplitude", s.gravity->amplitude.points}};
   if (s.exact) j["exact"] = {{"solution", field(*s.exact)}};
   j["loading"] = {{"steps", s.loading.steps}};
   if (!s.loading.every_step) j["loading"]["outputs"] = s.loading.outputs;
-  j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance}, {"correction_tolerance", s.solver.correction_tolerance},
-                 {"max_iterations", s.solver.max_iterations}, {"min_step", s.solver.min_step}, {"extrapolate", s.solver.extrapolate},
-                 {"gauss_points", s.solver.gauss_points}, {"search_radius", s.solver.search_radius}};
+  j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance},
+                 {"correction_tolerance", s.solver.correction_tolerance},
+                 {"max_iterations", s.solver.max_iterations},
+                 {"min_step", s.solver.min_step},
+                 {"extrapolate", s.solver.extrapolate},
+                 {"gauss_points", s.solver.gauss_points},
+                 {"search_radius", s.solver.search_radius}};
   return j;
 }
 

@@ -15,7 +15,8 @@ namespace {
 std::string read_text(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw InputError({file}, "", "there is no such file");
-  if (!std::filesystem::is_regular_file(file, error)) throw InputError({file}, "", "this is not a file; allowed: a scene in TOML");
+  if (!std::filesystem::is_regular_file(file, error))
+    throw InputError({file}, "", "this is not a file; allowed: a scene in TOML");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf())) {
@@ -37,11 +38,12 @@ std::vector<std::string> split_key(const std::string& key) {
   return parts;
 }
 
-// The member of an array of tables that a part of a key names, by number or by its own `name`.
+// The member of an array of tables that a part of a key names: by number, by its own `name`, or else by what it is `on`.
 toml::node* member(toml::array& array, const std::string& part, std::string& index) {
   for (std::size_t k = 0; k < array.size(); ++k) {
     const auto* table = array[k].as_table();
-    const bool by_name = table && table->at_path("name").value<std::string>() == part;
+    const bool named = table && table->contains("name");
+    const bool by_name = table && table->at_path(named ? "name" : "on").value<std::string>() == part;
     if (!by_name && part != std::to_string(k)) continue;
     index = std::to_string(k);
     return &array[k];
@@ -73,7 +75,8 @@ void apply(Document& document, const std::string& text) {
     if (auto* array = at->as_array()) {
       std::string index;
       at = member(*array, parts[k], index);
-      if (!at) throw InputError(here, key, fmt::format("there is no '{}' among the {} entries", parts[k], array->size()));
+      if (!at)
+        throw InputError(here, key, fmt::format("there is no '{}' among the {} entries", parts[k], array->size()));
       path += "[" + index + "]";
       if (last) throw InputError(here, key, "a whole section cannot be set; name one of its keys");
       continue;
@@ -121,7 +124,8 @@ Section::Section(const Document& document, const toml::table& table, std::string
   for (const auto& [key, value] : table) {
     if (is_key(kind_, key.str())) continue;
     std::string problem = "unknown key";
-    if (const auto near = nearest_key(kind_, key.str()); !near.empty()) problem += fmt::format("; did you mean '{}'?", near);
+    if (const auto near = nearest_key(kind_, key.str()); !near.empty())
+      problem += fmt::format("; did you mean '{}'?", near);
     problem += " allowed:";
     for (const Key& k : scene_keys())
       if (k.section == kind_) problem += fmt::format(" {}", k.name);
@@ -140,7 +144,9 @@ Location Section::at(std::string_view key) const {
   return n ? document_->locate(*n, path(key)) : at();
 }
 
-void Section::fail(std::string_view key, const std::string& problem) const { throw InputError(at(key), path(key), problem); }
+void Section::fail(std::string_view key, const std::string& problem) const {
+  throw InputError(at(key), path(key), problem);
+}
 
 void Section::require(std::string_view key) const {
   if (has(key)) return;
@@ -210,7 +216,8 @@ std::string Section::choice(std::string_view key, const std::vector<std::string>
 }
 
 std::vector<double> Section::numbers(std::string_view key, std::optional<std::size_t> count) const {
-  const std::string allowed = count ? fmt::format("an array of {} finite numbers", *count) : "an array of finite numbers";
+  const std::string allowed =
+      count ? fmt::format("an array of {} finite numbers", *count) : "an array of finite numbers";
   const auto* array = node(key).as_array();
   if (!array || (count && array->size() != *count)) fail(key, "wrong shape; allowed: " + allowed);
   std::vector<double> values;
@@ -227,7 +234,8 @@ std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {
     const auto* row = (*array)[k].as_array();
     const std::string name = fmt::format("{}[{}]", key, k);
     if (!row || row->size() != 2)
-      throw InputError(document_->locate((*array)[k], path(key)), path(name), fmt::format("wrong shape; allowed: {}", allowed));
+      throw InputError(document_->locate((*array)[k], path(key)), path(name),
+                       fmt::format("wrong shape; allowed: {}", allowed));
     rows.push_back({number_of((*row)[0], name, allowed), number_of((*row)[1], name, allowed)});
   }
   return rows;

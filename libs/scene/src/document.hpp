@@ -35,14 +35,18 @@ class Section {
   bool has(std::string_view key) const { return table_->contains(key); }
   Location at() const { return document_->locate(*table_, path_); }
   Location at(std::string_view key) const;
-  std::string path(std::string_view key) const { return path_.empty() ? std::string(key) : path_ + "." + std::string(key); }
+  std::string path(std::string_view key) const {
+    return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+  }
   [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
   void require(std::string_view key) const;
 
   using Check = std::function<bool(double)>;
   double number(std::string_view key, const Check& ok = {}, const char* allowed = "a finite number") const;
-  double number_or(std::string_view key, double fallback, const Check& ok = {}, const char* allowed = "a finite number") const;
-  std::optional<double> maybe_number(std::string_view key, const Check& ok = {}, const char* allowed = "a finite number") const;
+  double number_or(std::string_view key, double fallback, const Check& ok = {},
+                   const char* allowed = "a finite number") const;
+  std::optional<double> maybe_number(std::string_view key, const Check& ok = {},
+                                     const char* allowed = "a finite number") const;
   int integer(std::string_view key, int least, int most) const;
   int integer_or(std::string_view key, int fallback, int least, int most) const;
   bool flag_or(std::string_view key, bool fallback) const;

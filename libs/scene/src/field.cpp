@@ -15,7 +15,8 @@ struct Parameters {
       if (!values.contains(key)) {
         std::string allowed;
         for (const auto& [name, unused] : values) allowed += " " + name;
-        throw InputError(spec.at, "field." + key, "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
+        throw InputError(spec.at, "field." + key,
+                         "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
       }
       values[key] = value;
     }

@@ -64,7 +64,8 @@ LineLog::LineLog(std::string path, const std::string& header) : path_(std::move(
 LineLog::LineLog(std::string path, std::uint64_t keep) : path_(std::move(path)), bytes_(keep) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path_, error);
-  if (error || size < keep) throw std::runtime_error(path_ + ": shorter than the checkpoint says; the run cannot be resumed");
+  if (error || size < keep)
+    throw std::runtime_error(path_ + ": shorter than the checkpoint says; the run cannot be resumed");
   std::filesystem::resize_file(path_, keep);
 }
 

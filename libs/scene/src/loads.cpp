@@ -64,7 +64,8 @@ VecX traction_force(const assembly::Model& m, const std::string& boundary, const
       continue;
     }
     const double place = crossing_place(m, at->second.first, a, b);
-    for (const auto& [from, to, side] : {std::tuple{0.0, place, element->node_side[k]}, std::tuple{place, 1.0, element->node_side[l]}})
+    for (const auto& [from, to, side] :
+         {std::tuple{0.0, place, element->node_side[k]}, std::tuple{place, 1.0, element->node_side[l]}})
       add(from, to, enrichment::side_unknown(m.unknowns, m.mesh, *element, k, side),
           enrichment::side_unknown(m.unknowns, m.mesh, *element, l, side));
   }

@@ -7,7 +7,8 @@
 
 namespace cleft::scene {
 
-/// A constant traction (Pa) on the edges of a boundary, distributed to the side of the crack that each part of an edge lies on.
+/// A constant traction (Pa) on the edges of a boundary, distributed to the side of the crack that each part of an edge
+/// lies on.
 VecX traction_force(const assembly::Model& model, const std::string& boundary, const Vec2& traction);
 
 /// A body force density (N/m^3) integrated over all cells with a rule of degree 4 on triangles and sub-triangles.

@@ -18,13 +18,15 @@ double element_size(const geometry::Mesh& mesh, Index t) { return std::sqrt(2.0 
 std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh) {
   std::vector<geometry::Crack> cracks;
   for (const auto& spec : scene.cracks)
-    cracks.push_back({spec.name, spec.sine ? geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude,
-                                                                  spec.sine->periods, kSineTolerance * element_size(mesh, 0))
-                                           : spec.points});
+    cracks.push_back({spec.name, spec.sine
+                                     ? geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude,
+                                                            spec.sine->periods, kSineTolerance * element_size(mesh, 0))
+                                     : spec.points});
   return cracks;
 }
 
-geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh, const std::vector<geometry::Crack>& cracks) {
+geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
+                              const std::vector<geometry::Crack>& cracks) {
   try {
     return geometry::cut(mesh, cracks);
   } catch (const InputError& error) {
@@ -49,7 +51,8 @@ void set_up_contact(const Scene& scene, assembly::Model& m) {
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const double stiffness = scene.material.young * count[k] / size[k];
     const auto& spec = scene.cracks[k];
-    s.laws.push_back({spec.normal_penalty.value_or(stiffness), spec.tangential_penalty.value_or(stiffness), spec.friction});
+    s.laws.push_back(
+        {spec.normal_penalty.value_or(stiffness), spec.tangential_penalty.value_or(stiffness), spec.friction});
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
@@ -105,18 +108,21 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
         const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
         for (int k = 1; k <= 20; ++k) {
           const double load = k / 20.0;
-          const double gap = std::fabs(m.prescribed[p].displacement(X, load)[i] - m.prescribed[first].displacement(X, load)[i]);
+          const double gap =
+              std::fabs(m.prescribed[p].displacement(X, load)[i] - m.prescribed[first].displacement(X, load)[i]);
           if (gap > kTolerance * extent.norm())
-            throw InputError(scene.boundaries[p].at, fmt::format("boundary[{}]", p),
-                             fmt::format("prescribes u{} at the node ({:.6g}, {:.6g}) unlike boundary[{}] '{}', by {:.3g} m at load "
-                                         "{}; allowed: equal values at shared nodes, or one component less",
-                                         i == 0 ? "x" : "y", X.x(), X.y(), first, scene.boundaries[first].name, gap, load));
+            throw InputError(
+                scene.boundaries[p].at, fmt::format("boundary[{}]", p),
+                fmt::format("prescribes u{} at the node ({:.6g}, {:.6g}) unlike boundary[{}] '{}', by {:.3g} m at load "
+                            "{}; allowed: equal values at shared nodes, or one component less",
+                            i == 0 ? "x" : "y", X.x(), X.y(), first, scene.boundaries[first].name, gap, load));
         }
       }
 }
 
 // Density of the body force that makes `field` times the load a solution: -Div P(I + load grad u).
-std::function<Vec2(const Vec2&)> source_of(const Field& field, const assembly::Material& material, double load, double step) {
+std::function<Vec2(const Vec2&)> source_of(const Field& field, const assembly::Material& material, double load,
+                                           double step) {
   const auto stress = [field, material, load, step](const Vec2& X) -> Mat2 {
     const Mat2 F = Mat2::Identity() + load * field_gradient(field, X, step);
     return std::visit([&](const auto& law) { return law.respond(F).piola; }, material);
@@ -125,7 +131,8 @@ std::function<Vec2(const Vec2&)> source_of(const Field& field, const assembly::M
     Vec2 divergence = Vec2::Zero();
     for (int j = 0; j < 2; ++j) {
       const Vec2 d = step * Vec2::Unit(j);
-      divergence += (8.0 * (stress(X + d) - stress(X - d)) - (stress(X + 2 * d) - stress(X - 2 * d))).col(j) / (12.0 * step);
+      divergence +=
+          (8.0 * (stress(X + d) - stress(X - d)) - (stress(X + 2 * d) - stress(X - 2 * d))).col(j) / (12.0 * step);
     }
     return -divergence;
   };
@@ -141,31 +148,37 @@ assembly::Model build_model(const Scene& scene) {
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   const auto constants = constitutive::lame(scene.material.young, scene.material.poisson);
-  if (scene.material.model == "hencky") m.material = constitutive::Hencky{constants};
-  else m.material = constitutive::NeoHookean{constants};
+  if (scene.material.model == "hencky")
+    m.material = constitutive::Hencky{constants};
+  else
+    m.material = constitutive::NeoHookean{constants};
   if (!scene.cracks.empty()) set_up_contact(scene, m);
 
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const auto& b = scene.boundaries[k];
-    assembly::Prescribed p{b.name, b.box ? geometry::nodes_in_box(m.mesh, *b.box) : boundary_unknowns(m, b.on), b.components(),
-                           displacement_of(b, constants)};
+    assembly::Prescribed p{b.name, b.box ? geometry::nodes_in_box(m.mesh, *b.box) : boundary_unknowns(m, b.on),
+                           b.components(), displacement_of(b, constants)};
     if (p.unknowns.empty())
-      throw InputError(b.at, fmt::format("boundary[{}].box", k), "no node lies in the box; allowed: a box around at least one node");
+      throw InputError(b.at, fmt::format("boundary[{}].box", k),
+                       "no node lies in the box; allowed: a box around at least one node");
     m.prescribed.push_back(std::move(p));
   }
   refuse_contradictions(scene, m);
   for (const auto& t : scene.tractions)
-    m.dead_loads.push_back([force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
+    m.dead_loads.push_back(
+        [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
   if (scene.gravity) {
     const Vec2 density = scene.gravity->density * scene.gravity->value;
-    m.dead_loads.push_back([force = body_force(m, [density](const Vec2&) { return density; }), a = scene.gravity->amplitude](
-                               double load) -> VecX { return a(load) * force; });
+    m.dead_loads.push_back([force = body_force(m, [density](const Vec2&) { return density; }),
+                            a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
   }
   if (scene.exact) {
     const Field field = make_field(*scene.exact, constants);
     const double step = 1e-3 * element_size(m.mesh, 0);
     // mesh and cells are what the integration needs; the loads of this copy are empty
-    m.dead_loads.push_back([copy = m, field, step](double load) -> VecX { return body_force(copy, source_of(field, copy.material, load, step)); });
+    m.dead_loads.push_back([copy = m, field, step](double load) -> VecX {
+      return body_force(copy, source_of(field, copy.material, load, step));
+    });
   }
   return m;
 }
@@ -175,7 +188,8 @@ assembly::StepControls step_controls(const Scene& scene) {
   c.steps = scene.loading.steps;
   c.outputs = scene.loading.outputs;
   c.min_step = scene.solver.min_step;
-  c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.max_iterations, scene.solver.extrapolate};
+  c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.max_iterations,
+              scene.solver.extrapolate};
   return c;
 }
 

@@ -50,7 +50,8 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
 VtuGrid bulk_grid(const assembly::Model& m, const VecX& displacement) {
   VtuGrid grid;
   grid.points = m.mesh.nodes;
-  VtuArray u{"displacement", 3, {}}, stress{"cauchy_stress", 6, {}}, mean{"mean_stress", 1, {}}, largest{"max_principal_stress", 1, {}};
+  VtuArray u{"displacement", 3, {}}, stress{"cauchy_stress", 6, {}}, mean{"mean_stress", 1, {}},
+      largest{"max_principal_stress", 1, {}};
   for (std::size_t i = 0; i < m.mesh.nodes.size(); ++i) push(u, displacement.segment<2>(2 * static_cast<Index>(i)));
   for (const auto& cell : m.cells) {
     const Mat2 F = cell.deformation(displacement);
@@ -58,7 +59,8 @@ VtuGrid bulk_grid(const assembly::Model& m, const VecX& displacement) {
     const Mat2 sigma = constitutive::cauchy(piola, F);
     // both hyperelastic laws have tau_33 = lambda ln J when the third stretch is 1
     const double out_of_plane = m.constants().lambda * std::log(det(F)) / det(F);
-    const double centre = 0.5 * (sigma(0, 0) + sigma(1, 1)), radius = std::hypot(0.5 * (sigma(0, 0) - sigma(1, 1)), sigma(0, 1));
+    const double centre = 0.5 * (sigma(0, 0) + sigma(1, 1)),
+                 radius = std::hypot(0.5 * (sigma(0, 0) - sigma(1, 1)), sigma(0, 1));
     const auto describe = [&] {
       stress.values.insert(stress.values.end(), {sigma(0, 0), sigma(1, 1), out_of_plane, sigma(0, 1), 0.0, 0.0});
       mean.values.push_back((2.0 * centre + out_of_plane) / 3.0);
@@ -90,8 +92,8 @@ VtuGrid bulk_grid(const assembly::Model& m, const VecX& displacement) {
 VtuGrid face_grid(const assembly::Model& m, const VecX& displacement, const std::vector<ProfilePoint>& points) {
   VtuGrid grid;
   grid.cell_size = 2;
-  VtuArray u{"displacement", 3, {}}, crack{"crack", 1, {}}, side{"side", 1, {}}, pressure{"pressure", 1, {}}, normal{"tn", 1, {}},
-      tangential{"tt", 1, {}};
+  VtuArray u{"displacement", 3, {}}, crack{"crack", 1, {}}, side{"side", 1, {}}, pressure{"pressure", 1, {}},
+      normal{"tn", 1, {}}, tangential{"tt", 1, {}};
   const std::size_t faces = m.surfaces.faces.size();
   std::vector<double> count(faces, 0.0), p(faces, 0.0), tn(faces, 0.0), tt(faces, 0.0);
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -103,7 +105,8 @@ VtuGrid face_grid(const assembly::Model& m, const VecX& displacement, const std:
   }
   for (std::size_t f = 0; f < faces; ++f) {
     const auto& face = m.surfaces.faces[f];
-    for (const auto& [x, stencil] : {std::pair{face.reference_start, face.start}, std::pair{face.reference_end, face.end}}) {
+    for (const auto& [x, stencil] :
+         {std::pair{face.reference_start, face.start}, std::pair{face.reference_end, face.end}}) {
       grid.connectivity.push_back(static_cast<Index>(grid.points.size()));
       grid.points.push_back(x);
       push(u, stencil.displacement(displacement));

@@ -39,13 +39,15 @@ MaterialSpec read_material(const Section& s) {
   MaterialSpec out;
   out.model = s.choice("model", {"hencky", "neo-hookean"});
   out.young = s.number("young", kPositive, "a positive number, Pa");
-  out.poisson = s.number("poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
+  out.poisson = s.number(
+      "poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
   return out;
 }
 
 void read_formulation(const Section& s) {
   if (s.has("kinematics")) s.choice("kinematics", {"finite"});
-  s.number_or("tip_enrichment", 0.0, [](double x) { return x == 0.0; }, "0 (tip enrichment is not available)");
+  s.number_or(
+      "tip_enrichment", 0.0, [](double x) { return x == 0.0; }, "0 (tip enrichment is not available)");
 }
 
 CrackSpec read_crack(const Section& s, std::size_t number) {
@@ -69,7 +71,8 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
     for (const auto& p : s.pairs("points")) out.points.emplace_back(p[0], p[1]);
     if (out.points.size() < 2) s.fail("points", "a crack needs at least two points");
     for (std::size_t k = 1; k < out.points.size(); ++k)
-      if (out.points[k] == out.points[k - 1]) s.fail("points", fmt::format("point {} repeats the one before; allowed: distinct points", k));
+      if (out.points[k] == out.points[k - 1])
+        s.fail("points", fmt::format("point {} repeats the one before; allowed: distinct points", k));
   }
   if (s.has("negative_side")) {
     const auto side = s.choice("negative_side", {"left", "right", "both"});
@@ -126,8 +129,10 @@ BoundarySpec read_boundary(const Section& s, int& boxes) {
   if (const auto r = s.section("rotation", "boundary.rotation"))
     out.rotation = {r->has("center") ? r->point("center") : Vec2::Zero(), r->number("degrees"), r->amplitude()};
   const int kinds = (out.ux || out.uy) + out.affine.has_value() + out.field.has_value();
-  if (kinds > 1) s.fail(out.affine ? "affine" : "field", "contradicts the rest; allowed: one of (ux, uy), affine, field");
-  if (kinds == 0 && !out.rotation) throw InputError(s.at(), s.path("ux"), "nothing is prescribed; allowed: ux, uy, affine, field or rotation");
+  if (kinds > 1)
+    s.fail(out.affine ? "affine" : "field", "contradicts the rest; allowed: one of (ux, uy), affine, field");
+  if (kinds == 0 && !out.rotation)
+    throw InputError(s.at(), s.path("ux"), "nothing is prescribed; allowed: ux, uy, affine, field or rotation");
   out.amplitude = s.amplitude();
   return out;
 }
@@ -140,9 +145,11 @@ void check_boundaries(const Section& root, const std::vector<BoundarySpec>& all)
       const bool same_place = !a.on.empty() && a.on == b.on;
       const bool overlap = (a.components()[0] && b.components()[0]) || (a.components()[1] && b.components()[1]);
       if (same_place && overlap)
-        throw InputError(b.at, path, fmt::format("prescribes a component that boundary[{}] on '{}' already prescribes", k, a.on));
+        throw InputError(b.at, path,
+                         fmt::format("prescribes a component that boundary[{}] on '{}' already prescribes", k, a.on));
       if (a.name == b.name)
-        throw InputError(b.at, path + ".name", fmt::format("'{}' names another boundary, too; allowed: distinct names", b.name));
+        throw InputError(b.at, path + ".name",
+                         fmt::format("'{}' names another boundary, too; allowed: distinct names", b.name));
     }
   if (all.empty()) throw InputError(root.at(), "boundary", "missing; allowed: at least one [[boundary]] section");
 }

@@ -13,9 +13,12 @@ std::string crack_file(const std::string& name) { return "crack_" + name + ".csv
 
 const char* name_of(contact::Status status) {
   switch (status) {
-    case contact::Status::Open: return "open";
-    case contact::Status::Stick: return "stick";
-    case contact::Status::Slip: return "slip";
+    case contact::Status::Open:
+      return "open";
+    case contact::Status::Stick:
+      return "stick";
+    case contact::Status::Slip:
+      return "slip";
   }
   return "";
 }
@@ -27,14 +30,17 @@ Results::Results(const Scene& scene, const assembly::Model& model, std::string d
   std::string history = "step,load,iterations,cuts";
   for (const auto& p : model.prescribed) history += fmt::format(",fx_{0},fy_{0}", p.name);
   history +=
-      ",elastic_energy,contact_energy,plastic_dissipation,viscous_dissipation,friction_dissipation,external_work,contact_points,"
+      ",elastic_energy,contact_energy,plastic_dissipation,viscous_dissipation,friction_dissipation,external_work,"
+      "contact_points,"
       "slipping_points,max_slip,min_gap,max_pressure,max_plastic_strain\n";
   open("history.csv", history, resumed);
-  open("newton.csv",
-       "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds\n", resumed);
+  open(
+      "newton.csv",
+      "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds\n",
+      resumed);
   for (const auto& crack : model.cracks)
-    open(crack_file(crack.name),
-         "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n", resumed);
+    open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n",
+         resumed);
   if (resumed) outputs_ = resumed->outputs;
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
 }
@@ -56,12 +62,13 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
   std::string rows;
   for (std::size_t k = 0; k < step.iterations.size(); ++k) {
     const auto& i = step.iterations[k];
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1, i.residual, i.correction,
-                   i.energy, i.partner_changes, i.status_changes, i.factor_seconds, i.assembly_seconds);
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1,
+                   i.residual, i.correction, i.energy, i.partner_changes, i.status_changes, i.factor_seconds,
+                   i.assembly_seconds);
   }
   // the residual that the last correction left, with no correction of its own
-  fmt::format_to(std::back_inserter(rows), "{},{},{},{},0,0,0,0,0,0\n", step.number, step.load, step.iterations.size() + 1,
-                 step.final_residual);
+  fmt::format_to(std::back_inserter(rows), "{},{},{},{},0,0,0,0,0,0\n", step.number, step.load,
+                 step.iterations.size() + 1, step.final_residual);
   logs_.at("newton.csv").append(rows);
 
   std::string row = fmt::format("{},{},{},{}", step.number, step.load, step.iterations.size(), step.cuts);
@@ -76,8 +83,8 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
     if (!std::isnan(q.gap)) gap = std::min(gap, q.gap);
     pressure = std::max(pressure, q.pressure);
   }
-  row += fmt::format(",{},{},0,0,{},{},{},{},{},{},{},0\n", e.elastic, e.contact, e.friction_dissipation, e.external_work, touching,
-                     slipping, slip, gap, pressure);
+  row += fmt::format(",{},{},0,0,{},{},{},{},{},{},{},0\n", e.elastic, e.contact, e.friction_dissipation,
+                     e.external_work, touching, slipping, slip, gap, pressure);
   logs_.at("history.csv").append(row);
 }
 
@@ -87,11 +94,13 @@ void Results::add_fields(const assembly::LoadStepper& stepper) {
   std::map<Index, std::string> rows;
   for (const auto& q : points)
     fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
-                   q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(), q.current.x(), q.current.y(),
-                   q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status), q.partner_s, q.partner_pressure);
+                   q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
+                   q.current.x(), q.current.y(), q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status),
+                   q.partner_s, q.partner_pressure);
   for (const auto& [crack, text] : rows) logs_.at(crack_file(model_.cracks[crack].name)).append(text);
 
-  const int number = static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
+  const int number =
+      static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
   const auto& u = stepper.state().displacement;
   const auto add = [&](int part, const std::string& file, const VtuGrid& grid) {
     write_atomically(path(file), vtu_text(grid));

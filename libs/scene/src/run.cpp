@@ -47,7 +47,8 @@ double median(std::vector<double> v) {
 Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
   Checkpoint c = checkpoint_from(read_bytes(path), path);
   if (c.scene_hash != scene_hash(scene))
-    throw std::runtime_error(path + ": the checkpoint belongs to another scene; run without --resume, or into another folder");
+    throw std::runtime_error(path +
+                             ": the checkpoint belongs to another scene; run without --resume, or into another folder");
   return c;
 }
 
@@ -55,7 +56,8 @@ Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
 void remove_results(const std::string& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     const std::string name = entry.path().filename().string();
-    const bool ours = name == "checkpoint" || name == "run.json" || (name.starts_with("fields_") && name.ends_with(".vtu")) ||
+    const bool ours = name == "checkpoint" || name == "run.json" ||
+                      (name.starts_with("fields_") && name.ends_with(".vtu")) ||
                       (name.starts_with("crack_") && name.ends_with(".csv"));
     if (ours && entry.is_regular_file()) std::filesystem::remove(entry.path());
   }
@@ -65,7 +67,8 @@ struct Seconds {
   double cut = 0.0, write = 0.0;
 };
 
-nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& stepper, const RunResult& result, const Seconds& seconds) {
+nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& stepper, const RunResult& result,
+                               const Seconds& seconds) {
   const auto& model = stepper.model();
   const auto& assembly = stepper.assembler().seconds();
   const auto& solver = stepper.solver().seconds();
@@ -75,13 +78,19 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
   j["end"] = ends[static_cast<int>(result.end)];
   if (result.end == RunResult::End::Failed) j["failure"] = assembly::describe(result.failure);
   j["load"] = result.load;
-  j["mesh"] = {{"nodes", model.mesh.nodes.size()}, {"elements", model.mesh.triangles.size()}, {"cut_elements", model.cut.elements.size()}};
-  j["unknowns"] = {{"standard", 2 * model.unknowns.nodes}, {"enriched", 2 * model.unknowns.enriched()},
-                   {"prescribed", stepper.constraints().size()}, {"contact_points", model.surfaces.points.size()}};
-  j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric ? "symmetric" : "unsymmetric";
-  j["seconds"] = {{"total", result.seconds}, {"cut", seconds.cut}, {"assembly", assembly.bulk}, {"contact", assembly.contact},
-                  {"pattern", assembly.pattern}, {"analyse", solver.analyse}, {"factorise", solver.factorise},
-                  {"solve", solver.solve}, {"write", seconds.write}};
+  j["mesh"] = {{"nodes", model.mesh.nodes.size()},
+               {"elements", model.mesh.triangles.size()},
+               {"cut_elements", model.cut.elements.size()}};
+  j["unknowns"] = {{"standard", 2 * model.unknowns.nodes},
+                   {"enriched", 2 * model.unknowns.enriched()},
+                   {"prescribed", stepper.constraints().size()},
+                   {"contact_points", model.surfaces.points.size()}};
+  j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric
+                           ? "symmetric"
+                           : "unsymmetric";
+  j["seconds"] = {{"total", result.seconds},       {"cut", seconds.cut},          {"assembly", assembly.bulk},
+                  {"contact", assembly.contact},   {"pattern", assembly.pattern}, {"analyse", solver.analyse},
+                  {"factorise", solver.factorise}, {"solve", solver.solve},       {"write", seconds.write}};
   j["factorisations"] = solver.factorisations;
   j["analyses"] = solver.analyses;
   j["yardstick_seconds"] = result.yardstick;
@@ -93,8 +102,12 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
   if (scene.exact && result.end == RunResult::End::Done) {
-    const auto e = error_norms(model, make_field(*scene.exact, model.constants()), stepper.state().load, stepper.state().displacement);
-    j["error"] = {{"l2", e.l2}, {"l2_relative", e.l2 / e.l2_exact}, {"energy", e.energy}, {"energy_relative", e.energy / e.energy_exact}};
+    const auto e = error_norms(model, make_field(*scene.exact, model.constants()), stepper.state().load,
+                               stepper.state().displacement);
+    j["error"] = {{"l2", e.l2},
+                  {"l2_relative", e.l2 / e.l2_exact},
+                  {"energy", e.energy},
+                  {"energy_relative", e.energy / e.energy_exact}};
   }
   j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
   return j;
@@ -162,17 +175,21 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.cuts += step.cuts;
     result.worst_residual = std::max(result.worst_residual, step.final_residual);
     if (const double order = order_of(step); order > 0.0) orders.push_back(order);
-    progress.contact_points = static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
-      return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
-    }));
+    progress.contact_points =
+        static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
+          return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
+        }));
     {
       const PhaseTimer timer(seconds.write);
       results.add_step(step, stepper);
       const auto& wanted = scene.loading.outputs;
-      const bool output = scene.loading.every_step || std::any_of(wanted.begin(), wanted.end(), [&](double l) { return std::fabs(l - step.load) < 1e-12; });
+      const bool output = scene.loading.every_step || std::any_of(wanted.begin(), wanted.end(), [&](double l) {
+                            return std::fabs(l - step.load) < 1e-12;
+                          });
       if (output) results.add_fields(stepper);
-      Checkpoint now{scene_hash(scene), stepper.state(), stepper.place(), stepper.assembler().room(), result.iterations, result.cuts,
-                     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(), results.outputs()};
+      Checkpoint now{scene_hash(scene),   stepper.state(),  stepper.place(),       stepper.assembler().room(),
+                     result.iterations,   result.cuts,      result.worst_residual, kept.seconds + clock.seconds(),
+                     results.log_bytes(), results.outputs()};
       write_atomically(checkpoint_path, to_bytes(now));
     }
     tell(0, step.final_residual);
@@ -190,7 +207,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const double evaluations = iterations + static_cast<double>(result.increments - kept.place.number);
   result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.cells.size()));
   if (model.has_contact())
-    result.contact_microseconds = 1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));
+    result.contact_microseconds =
+        1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));
   result.peak_megabytes = peak_megabytes();
   result.seconds = clock.seconds();
   write_atomically(results.path("run.json"), summary(scene, stepper, result, seconds).dump(2) + "\n");

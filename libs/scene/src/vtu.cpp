@@ -36,11 +36,13 @@ std::string encode(const std::vector<T>& values) {
   if (compress2(buffer.data(), &packed, reinterpret_cast<const Bytef*>(values.data()), size, Z_BEST_SPEED) != Z_OK)
     throw std::runtime_error("zlib cannot compress the data");
   const std::uint64_t header[4] = {size == 0 ? 0u : 1u, size, 0, packed};
-  return base64(header, size == 0 ? sizeof(std::uint64_t) : sizeof header) + (size == 0 ? "" : base64(buffer.data(), packed));
+  return base64(header, size == 0 ? sizeof(std::uint64_t) : sizeof header) +
+         (size == 0 ? "" : base64(buffer.data(), packed));
 }
 
 template <class T>
-void add(pugi::xml_node parent, const std::string& name, const char* type, int components, const std::vector<T>& values) {
+void add(pugi::xml_node parent, const std::string& name, const char* type, int components,
+         const std::vector<T>& values) {
   auto node = parent.append_child("DataArray");
   node.append_attribute("type") = type;
   node.append_attribute("Name") = name.c_str();

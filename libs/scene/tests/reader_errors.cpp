@@ -6,7 +6,8 @@
 namespace cleft::scene {
 namespace {
 
-/// `from` in the block scene becomes `to`; an @ in `to` marks the place that the error must name, and is not part of the scene.
+/// `from` in the block scene becomes `to`; an @ in `to` marks the place that the error must name, and is not part of
+/// the scene.
 struct Fault {
   const char* from;
   const char* to;
@@ -63,7 +64,8 @@ TEST(SceneReader, SuggestsTheNearestKeyForAnUnknownOne) {
 
 TEST(SceneReader, ReportsFaultsOfTheMesh) {
   expect_all_reported({
-      {"kind = \"structured\"", "kind = @\"delaunay\"", "mesh.kind", "'delaunay' is not available; allowed: structured"},
+      {"kind = \"structured\"", "kind = @\"delaunay\"", "mesh.kind",
+       "'delaunay' is not available; allowed: structured"},
       {"kind = \"structured\"", "kind = @\"gmsh\"", "mesh.kind", "'gmsh' is not available"},
       {"kind = \"structured\"", "kind = @3", "mesh.kind", "not a text"},
       {"0.04, 0.08]", "0.04, @\"a\"]", "mesh.box", "not a number"},
@@ -76,8 +78,10 @@ TEST(SceneReader, ReportsFaultsOfTheMesh) {
       {"cells = [4, 8]", "cells = @[4, 2.5]", "mesh.cells", "integers from 1"},
       {"cells = [4, 8]", "cells = [4, @nan]", "mesh.cells", "not a finite number"},
       {"cells = [4, 8]", "cells = @4", "mesh.cells", "wrong shape"},
-      {"diagonal = \"right\"", "diagonal = @\"up\"", "mesh.diagonal", "'up' is not available; allowed: right, left, alternating"},
-      {"[mesh]\nkind = \"structured\"\nbox = [0.0, 0.0, 0.04, 0.08]", "@[mesh]\nkind = \"structured\"", "mesh.box", "missing"},
+      {"diagonal = \"right\"", "diagonal = @\"up\"", "mesh.diagonal",
+       "'up' is not available; allowed: right, left, alternating"},
+      {"[mesh]\nkind = \"structured\"\nbox = [0.0, 0.0, 0.04, 0.08]", "@[mesh]\nkind = \"structured\"", "mesh.box",
+       "missing"},
       {"cells = [4, 8]\n", "cells = @[40000, 8]\n", "mesh.cells", "20000"},
   });
 }
@@ -93,9 +97,12 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"young = 1.0e10", "young = @inf", "material.young", "not a finite number"},
       {"poisson = 0.25", "poisson = @0.5", "material.poisson", "0.5 is out of range"},
       {"poisson = 0.25", "poisson = @-1.0", "material.poisson", "greater than -1 and less than 0.5"},
-      {"[material]\nmodel = \"hencky\"", "@[material]", "material.model", "missing; allowed: text (hencky | neo-hookean)"},
-      {"kinematics = \"finite\"", "kinematics = @\"small\"", "formulation.kinematics", "'small' is not available; allowed: finite"},
-      {"tip_enrichment = 0.0", "tip_enrichment = @0.1", "formulation.tip_enrichment", "tip enrichment is not available"},
+      {"[material]\nmodel = \"hencky\"", "@[material]", "material.model",
+       "missing; allowed: text (hencky | neo-hookean)"},
+      {"kinematics = \"finite\"", "kinematics = @\"small\"", "formulation.kinematics",
+       "'small' is not available; allowed: finite"},
+      {"tip_enrichment = 0.0", "tip_enrichment = @0.1", "formulation.tip_enrichment",
+       "tip enrichment is not available"},
   });
 }
 
@@ -127,17 +134,21 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
 
 TEST(SceneReader, ReportsFaultsOfBoundaries) {
   expect_all_reported({
-      {"on = \"top\"", "on = @\"tpo\"", "boundary[1].on", "there is no boundary 'tpo'; allowed: left, right, bottom, top"},
+      {"on = \"top\"", "on = @\"tpo\"", "boundary[1].on",
+       "there is no boundary 'tpo'; allowed: left, right, bottom, top"},
       {"on = \"top\"", "on = @\"top\"\nbox = [0, 0, 1, 1]", "boundary[1].on", "exactly one of on and box"},
       {"[[boundary]]\non = \"top\"", "@[[boundary]]", "boundary[1].on", "exactly one of on and box"},
       {"on = \"top\"", "box = @[0.0, 0.0, -1.0, 0.0]", "boundary[1].box", "the box is empty"},
       {"ux = -0.004", "ux = @\"a\"", "boundary[1].ux", "not a number"},
-      {"[[boundary]]\non = \"top\"\nux = -0.004\nuy = -0.005", "@[[boundary]]\non = \"top\"", "boundary[1].ux", "nothing is prescribed"},
+      {"[[boundary]]\non = \"top\"\nux = -0.004\nuy = -0.005", "@[[boundary]]\non = \"top\"", "boundary[1].ux",
+       "nothing is prescribed"},
       {"uy = -0.005", "affine = @[[1, 0], [0, 1]]", "boundary[1].affine", "one of (ux, uy), affine, field"},
       {"uy = -0.005", "field = @\"waves\"", "boundary[1].field", "one of (ux, uy), affine, field"},
       {"ux = -0.004\nuy = -0.005", "affine = @[[1, 0]]", "boundary[1].affine", "[[a, b], [c, d]]"},
-      {"[[boundary]]\non = \"top\"", "@[[boundary]]\nname = \"again\"\non = \"bottom\"", "boundary[1]", "already prescribes"},
-      {"[[boundary]]\non = \"top\"", "@[[boundary]]\nname = \"bottom\"\non = \"top\"", "boundary[1].name", "names another boundary"},
+      {"[[boundary]]\non = \"top\"", "@[[boundary]]\nname = \"again\"\non = \"bottom\"", "boundary[1]",
+       "already prescribes"},
+      {"[[boundary]]\non = \"top\"", "@[[boundary]]\nname = \"bottom\"\non = \"top\"", "boundary[1].name",
+       "names another boundary"},
       {"on = \"top\"", "on = \"top\"\nname = @\"a,b\"", "boundary[1].name", "without commas"},
       {"uy = -0.005", "amplitude = @[[0.5, 1.0], [0.5, 2.0]]", "boundary[1].amplitude", "out of order"},
       {"uy = -0.005", "amplitude = @[[0.0, 0.0], [1.5, 2.0]]", "boundary[1].amplitude", "loads from 0 to 1"},
@@ -145,8 +156,8 @@ TEST(SceneReader, ReportsFaultsOfBoundaries) {
       {"uy = -0.005", "rotation = @{ center = [0, 0] }", "boundary[1].rotation.degrees", "missing"},
       {"ux = -0.004\nuy = -0.005", "field = @{ a = 1.0 }", "boundary[1].field", "the field has no name"},
       {"ux = -0.004\nuy = -0.005", "field = { name = \"waves\", a = @\"b\" }", "boundary[1].field", "not a number"},
-      {"[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\n\n[[boundary]]\non = \"top\"\nux = -0.004\nuy = -0.005\n", "#@",
-       "boundary", "missing"},
+      {"[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\n\n[[boundary]]\non = \"top\"\nux = -0.004\nuy = -0.005\n",
+       "#@", "boundary", "missing"},
   });
 }
 

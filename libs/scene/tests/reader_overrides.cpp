@@ -55,7 +55,8 @@ TEST(SceneFile, SectionsOfTheWrongShapeAreNamed) {
   EXPECT_EQ(crack.key(), "crack");
   EXPECT_NE(crack.problem().find("[[crack]] sections"), std::string::npos);
   EXPECT_EQ(crack.location().line, 1);
-  const auto two = error_of(folder.write("c.toml", replaced(kPlain, "[material]", "[[material]]") + "[[material]]\nmodel = \"hencky\"\n"));
+  const auto two = error_of(
+      folder.write("c.toml", replaced(kPlain, "[material]", "[[material]]") + "[[material]]\nmodel = \"hencky\"\n"));
   EXPECT_EQ(two.key(), "material");
   EXPECT_NE(two.problem().find("several materials"), std::string::npos);
 }

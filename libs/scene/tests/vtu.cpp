@@ -37,13 +37,16 @@ TEST(Vtu, IsReadBackExactlyByVtkAndMeshio) {
     const VtuGrid grid = example(cell_size);
     const std::string file = testing::TempDir() + "cleft_example.vtu";
     write_atomically(file, vtu_text(grid));
-    std::istringstream vtk(python("import vtk\n"
-                                  "r = vtk.vtkXMLUnstructuredGridReader(); r.SetFileName('" + file + "'); r.Update(); g = r.GetOutput()\n"
-                                  "print(g.GetNumberOfPoints(), g.GetNumberOfCells(), g.GetCell(0).GetNumberOfPoints())\n"
-                                  "u = g.GetPointData().GetArray('displacement')\n"
-                                  "print(*[repr(x) for i in range(3) for x in (*g.GetPoint(i)[:2], *u.GetTuple3(i))])\n"
-                                  "p = g.GetCellData().GetArray('pressure')\n"
-                                  "print(*[repr(p.GetValue(i)) for i in range(g.GetNumberOfCells())])\n"));
+    std::istringstream vtk(
+        python("import vtk\n"
+               "r = vtk.vtkXMLUnstructuredGridReader(); r.SetFileName('" +
+               file +
+               "'); r.Update(); g = r.GetOutput()\n"
+               "print(g.GetNumberOfPoints(), g.GetNumberOfCells(), g.GetCell(0).GetNumberOfPoints())\n"
+               "u = g.GetPointData().GetArray('displacement')\n"
+               "print(*[repr(x) for i in range(3) for x in (*g.GetPoint(i)[:2], *u.GetTuple3(i))])\n"
+               "p = g.GetCellData().GetArray('pressure')\n"
+               "print(*[repr(p.GetValue(i)) for i in range(g.GetNumberOfCells())])\n"));
     int points = 0, cells = 0, corners = 0;
     vtk >> points >> cells >> corners;
     EXPECT_EQ(points, 3);
@@ -60,7 +63,8 @@ TEST(Vtu, IsReadBackExactlyByVtkAndMeshio) {
       for (int k = 0; k < 3; ++k) EXPECT_EQ(next(), grid.point_data[0].values[3 * i + k]);
     }
     for (const double p : grid.cell_data[0].values) EXPECT_EQ(next(), p);
-    EXPECT_EQ(python("import meshio\nm = meshio.read('" + file + "')\nprint(len(m.points), sum(len(c.data) for c in m.cells))\n"),
+    EXPECT_EQ(python("import meshio\nm = meshio.read('" + file +
+                     "')\nprint(len(m.points), sum(len(c.data) for c in m.cells))\n"),
               cell_size == 3 ? "3 1\n" : "3 2\n");
   }
 }

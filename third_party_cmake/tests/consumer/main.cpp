@@ -1,4 +1,5 @@
-// Cuts a square by a crack, presses it together and prints the force: what a program on the installed libraries looks like.
+// Cuts a square by a crack, presses it together and prints the force: what a program on the installed libraries looks
+// like.
 #include <cleft/assembly/stepping.hpp>
 #include <cstdio>
 
@@ -17,8 +18,10 @@ int main() {
   model.surfaces.sides = {contact::NegativeSide::Right};
   model.surfaces.points = contact::place_points(model.surfaces, 2);
   const auto hold = [&](const char* on, double down) {
-    model.prescribed.push_back({on, geometry::boundary_nodes(model.mesh, on), {true, true},
-                                [down](const Vec2&, double load) { return Vec2(0.0, -down * load); }});
+    model.prescribed.push_back(
+        {on, geometry::boundary_nodes(model.mesh, on), {true, true}, [down](const Vec2&, double load) {
+           return Vec2(0.0, -down * load);
+         }});
   };
   hold("bottom", 0.0);
   hold("top", 0.01);

@@ -18,14 +18,15 @@ struct AssemblySeconds {
   double bulk = 0.0, contact = 0.0, pattern = 0.0;
 };
 
-/// Evaluates the internal force and its exact derivative at given displacements, into a matrix whose pattern is kept until a
-/// contact point's partner leaves the room that the pattern has for it.
+/// Evaluates the internal force and its exact derivative at given displacements, into a matrix whose pattern is kept
+/// until a contact point's partner leaves the room that the pattern has for it.
 class Assembler {
  public:
   /// `model` must outlive the assembler.
   explicit Assembler(const Model& model);
 
-  /// Everything at `displacement` (metres, all components) with the committed contact memory. A value: the failure, if the state has none.
+  /// Everything at `displacement` (metres, all components) with the committed contact memory. A value: the failure, if
+  /// the state has none.
   [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
                                                 double deepest);
 

@@ -11,8 +11,8 @@
 
 namespace cleft::assembly {
 
-/// Structurally symmetric. The scalar matrix is an ordinary compressed-column one: column 2 j + b holds, for each block (i, j), the rows
-/// 2 i and 2 i + 1.
+/// Structurally symmetric. The scalar matrix is an ordinary compressed-column one: column 2 j + b holds, for each block
+/// (i, j), the rows 2 i and 2 i + 1.
 class BlockMatrix {
  public:
   /// Where a block's entries stand: (a, b) is at value[start + b * stride + a].
@@ -23,7 +23,8 @@ class BlockMatrix {
 
   BlockMatrix() = default;
 
-  /// A matrix of `size` blocks square with the given blocks (row, column; any order, repeated ones merged) and the diagonal.
+  /// A matrix of `size` blocks square with the given blocks (row, column; any order, repeated ones merged) and the
+  /// diagonal.
   BlockMatrix(Index size, const std::vector<std::array<Index, 2>>& blocks);
 
   Index size() const { return size_; }

@@ -11,7 +11,7 @@ enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, StepTooSm
 /// Why an increment or a run failed, where, and what a user may try.
 struct Failure {
   FailureKind kind = FailureKind::NoConvergence;
-  std::string place;   ///< element, side or unknown, with coordinates
+  std::string place;  ///< element, side or unknown, with coordinates
   std::string advice;
 };
 

@@ -16,8 +16,8 @@ struct SolverSeconds {
   long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
 };
 
-/// UMFPACK for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to be
-/// positive definite is factorised by UMFPACK, and counted.
+/// UMFPACK for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to
+/// be positive definite is factorised by UMFPACK, and counted.
 class LinearSolver {
  public:
   explicit LinearSolver(Factorisation kind);

@@ -1,5 +1,6 @@
 /// \file
-/// A problem that is ready to be solved: what a scene describes, discretised. Nothing in it changes during an increment.
+/// A problem that is ready to be solved: what a scene describes, discretised. Nothing in it changes during an
+/// increment.
 #pragma once
 
 #include <functional>
@@ -20,7 +21,7 @@ using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean>;
 struct Prescribed {
   std::string name;
   std::vector<Index> unknowns;
-  std::array<bool, 2> component{};  ///< which components are prescribed
+  std::array<bool, 2> component{};                                       ///< which components are prescribed
   std::function<Vec2(const Vec2& reference, double load)> displacement;  ///< metres
 };
 

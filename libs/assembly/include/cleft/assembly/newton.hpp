@@ -14,7 +14,7 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int max_iterations = 12;
-  bool extrapolate = true;             ///< start from the last increment continued
+  bool extrapolate = true;  ///< start from the last increment continued
 };
 
 /// One iteration: a factorisation and a solution.
@@ -38,11 +38,11 @@ struct Increment {
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 
-/// Solves for the load with contact partners, active set and stick or slip found anew in every iteration. `state` is only
-/// read. Converged when residual and last correction are both below their tolerances; a residual at the level of rounding
-/// counts as zero.
-Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state, double load,
-                          const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+/// Solves for the load with contact partners, active set and stick or slip found anew in every iteration. `state` is
+/// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
+/// rounding counts as zero.
+Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
+                          double load, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
                           const IterationObserver& observer);
 
 /// Size of a residual that rounding alone may leave, N/m (2-norm).

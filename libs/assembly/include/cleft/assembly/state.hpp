@@ -23,8 +23,8 @@ struct State {
   std::vector<contact::Memory> contact;  ///< per contact point
   double deepest = 0.0;                  ///< largest penetration so far, metres
   Energies energies;
-  VecX prescribed_force;                 ///< force on the body at the constraints, N/m
-  double previous_load = 0.0;            ///< of the state before, for extrapolation; equal to `load` if there is none
+  VecX prescribed_force;       ///< force on the body at the constraints, N/m
+  double previous_load = 0.0;  ///< of the state before, for extrapolation; equal to `load` if there is none
   VecX previous_displacement;
 };
 

@@ -15,9 +15,9 @@ struct StepControls {
 
 /// What a converged increment leaves.
 struct Step {
-  int number = 0;               ///< from 1
+  int number = 0;  ///< from 1
   double load = 0.0;
-  int cuts = 0;                 ///< attempts that failed before it converged
+  int cuts = 0;  ///< attempts that failed before it converged
   std::vector<Iteration> iterations;
   double final_residual = 0.0;  ///< relative
   double rounding = 0.0;        ///< relative residual that rounding alone may leave
@@ -29,8 +29,8 @@ struct StepPlace {
   double step = 0.0;  ///< increment to try next
 };
 
-/// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to 1/steps,
-/// where it is easy. The loads k/steps and all outputs are hit exactly.
+/// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
+/// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.

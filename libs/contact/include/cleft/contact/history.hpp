@@ -13,8 +13,8 @@ struct Advance {
 };
 
 /// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| = mu |t_N|, so that the next
-/// increment starts from the traction just reached; a point that touches for the first time is anchored at its partner; an
-/// open one forgets its anchor.
+/// increment starts from the traction just reached; a point that touches for the first time is anchored at its partner;
+/// an open one forgets its anchor.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
 
 }  // namespace cleft::contact

@@ -1,9 +1,9 @@
 /// \file
 /// Penalty contact with Coulomb friction at one point of a crack's negative face.
 ///
-/// The point y, its current tangent t (along the crack's direction) and the outward normal n of the negative body meet the
-/// opposite (positive) face at its partner x_B, where the line y + g n crosses it. With the anchor x_A, a material point of
-/// the positive face,
+/// The point y, its current tangent t (along the crack's direction) and the outward normal n of the negative body meet
+/// the opposite (positive) face at its partner x_B, where the line y + g n crosses it. With the anchor x_A, a material
+/// point of the positive face,
 ///
 ///     g_N = (x_B - y) . n,     t_N = eps_N g_N if g_N < 0, else no traction,
 ///     g_T = (x_A - y) . t,     trial t_T = eps_T g_T,

@@ -22,13 +22,13 @@ inline constexpr int kPairOutputs = 8;  ///< forces on the four segment ends, in
 struct PairConstants {
   Law law;
   Touch touch;
-  double weight = 0.0;              ///< reference length that the point stands for, metres (unit thickness)
-  double eta = 0.0;                 ///< the point's place on its segment, 0 at the start, 1 at the end
-  double share_begin = 0.0;         ///< the part of the segment that the point stands for,
-  double share_end = 0.0;           ///< share_begin <= eta <= share_end
-  double normal_sign = 1.0;         ///< n is this times the tangent turned left
+  double weight = 0.0;       ///< reference length that the point stands for, metres (unit thickness)
+  double eta = 0.0;          ///< the point's place on its segment, 0 at the start, 1 at the end
+  double share_begin = 0.0;  ///< the part of the segment that the point stands for,
+  double share_end = 0.0;    ///< share_begin <= eta <= share_end
+  double normal_sign = 1.0;  ///< n is this times the tangent turned left
   bool anchored = false;
-  int mouth = 0;                    ///< 0: no free end near; +1: body of the positive face lies ahead (along t) of it; -1: behind
+  int mouth = 0;  ///< 0: no free end near; +1: body of the positive face lies ahead (along t) of it; -1: behind
 };
 
 /// Gaps, tractions and the partner at the current positions.
@@ -58,9 +58,9 @@ struct PairForce {
 ///     dg_T = (dx_A - dy) . t + ((x_A - y) . n) dth
 ///     df   = W (N_+ - N_-)^T dt_0 + W (dN_+/dxi)^T t_0 dxi
 ///
-/// The last term is not in Liu and Borja 2010, (89)-(92): the weight functions at the partner move along the positive face,
-/// too. Without it the iteration is not quadratic while the faces slide. Everything is multiplied by the ramp at a mouth,
-/// whose derivative is included.
+/// The last term is not in Liu and Borja 2010, (89)-(92): the weight functions at the partner move along the positive
+/// face, too. Without it the iteration is not quadratic while the faces slide. Everything is multiplied by the ramp at
+/// a mouth, whose derivative is included.
 PairForce force(const PairPoints& points, const PairConstants& constants, const PairState& state);
 
 }  // namespace cleft::contact

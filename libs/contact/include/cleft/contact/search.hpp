@@ -24,10 +24,10 @@ struct FacePositions {
 /// Finds partners. Keeps its scratch memory between calls.
 class Search {
  public:
-  /// `displacement`: components of all unknowns. The partner is the nearest crossing of the point's normal line with a face
-  /// that faces it (n_+ . n < 0) within the search radius, which is the larger of 5 element sizes and ten times
-  /// `deepest`, the largest penetration so far (metres), unless the surfaces set one. Past the free end of a face its last segment counts
-  /// as continued until the point's whole share has passed.
+  /// `displacement`: components of all unknowns. The partner is the nearest crossing of the point's normal line with a
+  /// face that faces it (n_+ . n < 0) within the search radius, which is the larger of 5 element sizes and ten times
+  /// `deepest`, the largest penetration so far (metres), unless the surfaces set one. Past the free end of a face its
+  /// last segment counts as continued until the point's whole share has passed.
   void run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
            std::vector<Pair>& pairs);
 

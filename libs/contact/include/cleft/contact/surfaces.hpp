@@ -15,29 +15,29 @@ enum class NegativeSide : std::uint8_t { Right, Left, Both };
 
 /// A quadrature point of a negative face.
 struct Point {
-  Index face = kNone;          ///< number of its face
-  double eta = 0.0;            ///< place on the face, 0 at the start, 1 at the end
-  double weight = 0.0;         ///< reference length it stands for, metres (half of it if both sides are integrated)
-  double share_begin = 0.0;    ///< the part of the face it stands for
+  Index face = kNone;        ///< number of its face
+  double eta = 0.0;          ///< place on the face, 0 at the start, 1 at the end
+  double weight = 0.0;       ///< reference length it stands for, metres (half of it if both sides are integrated)
+  double share_begin = 0.0;  ///< the part of the face it stands for
   double share_end = 0.0;
 };
 
 /// What a point remembers between increments. Anchors are material points: a face and a place on it.
 struct Memory {
-  Index anchor_face = kNone;   ///< kNone: no anchor
+  Index anchor_face = kNone;  ///< kNone: no anchor
   double anchor_place = 0.0;
-  double slip = 0.0;           ///< cumulative, metres
-  double tangential = 0.0;     ///< t_T of the last converged increment, Pa
+  double slip = 0.0;        ///< cumulative, metres
+  double tangential = 0.0;  ///< t_T of the last converged increment, Pa
 };
 
 /// Everything about contact that does not change during an increment.
 struct Surfaces {
   std::vector<enrichment::Face> faces;
   std::vector<Point> points;
-  std::vector<Law> laws;             ///< per crack
-  std::vector<NegativeSide> sides;   ///< per crack
-  double element_size = 0.0;         ///< of the cut elements, metres: scale of touch and of the search
-  double search_radius = 0.0;        ///< 0: by scale
+  std::vector<Law> laws;            ///< per crack
+  std::vector<NegativeSide> sides;  ///< per crack
+  double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
+  double search_radius = 0.0;       ///< 0: by scale
 
   bool is_partner(const enrichment::Face& face) const {
     const NegativeSide side = sides[face.crack];

@@ -25,10 +25,10 @@ struct Stencil {
 /// A triangle, or one side of a cut triangle: grad u = sum_k q_k (x) gradient_k, constant, over `area`.
 struct Cell {
   std::array<Index, 3> unknown{};
-  std::array<Vec2, 3> gradient{};  ///< 1/m
-  double area = 0.0;               ///< m^2, of this side only
-  Index element = kNone;           ///< the triangle
-  Index cut = kNone;               ///< index into CutMesh::elements, or kNone for a whole triangle
+  std::array<Vec2, 3> gradient{};              ///< 1/m
+  double area = 0.0;                           ///< m^2, of this side only
+  Index element = kNone;                       ///< the triangle
+  Index cut = kNone;                           ///< index into CutMesh::elements, or kNone for a whole triangle
   geometry::Side side = geometry::Side::Left;  ///< meaningful for a cut triangle
 
   /// Deformation gradient F = I + grad u.
@@ -39,21 +39,22 @@ struct Cell {
   }
 };
 
-/// All cells, in the order of the triangles. A side whose part of the triangle is negligible (kLeastSupport) is dropped.
+/// All cells, in the order of the triangles. A side whose part of the triangle is negligible (kLeastSupport) is
+/// dropped.
 std::vector<Cell> make_cells(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns);
 
 /// One side's trace along a face segment. Displacement is linear along it: `start` and `end` give it at its ends.
 struct Face {
-  Stencil start, end;               ///< over the same three unknowns
+  Stencil start, end;                   ///< over the same three unknowns
   Vec2 reference_start, reference_end;  ///< metres, along the crack's direction
   double s_start = 0.0, s_end = 0.0;    ///< arc length along the crack, metres
   Index crack = kNone;
   geometry::Side side = geometry::Side::Left;
-  Index previous = kNone, next = kNone;  ///< neighbours on the same face
+  Index previous = kNone, next = kNone;       ///< neighbours on the same face
   bool free_start = false, free_end = false;  ///< the face ends here at the boundary of the body (not at a tip)
 
-  /// +1 where the body lies to the right of the crack's direction, -1 where to the left: its outward normal is this times the
-  /// tangent (along the crack's direction) turned left.
+  /// +1 where the body lies to the right of the crack's direction, -1 where to the left: its outward normal is this
+  /// times the tangent (along the crack's direction) turned left.
   double normal_sign() const { return side == geometry::Side::Right ? 1.0 : -1.0; }
 };
 

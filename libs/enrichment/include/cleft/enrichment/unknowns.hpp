@@ -5,9 +5,9 @@
 ///
 ///     u(X) = sum_I N_I(X) d_I + sum_I N_I(X) [H(X) - H(X_I)] a_I,
 ///
-/// written in the equivalent basis that stores, at an enriched node, one displacement per side of the crack: its own one, d_I,
-/// and that of the other side continued to it, its ghost g_I = d_I - a_I on the side H = 1 and d_I + a_I on the side H = 0.
-/// Each side of a cut triangle is then an ordinary triangle on three unknowns.
+/// written in the equivalent basis that stores, at an enriched node, one displacement per side of the crack: its own
+/// one, d_I, and that of the other side continued to it, its ghost g_I = d_I - a_I on the side H = 1 and d_I + a_I on
+/// the side H = 0. Each side of a cut triangle is then an ordinary triangle on three unknowns.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@
 
 namespace cleft::enrichment {
 
-/// Unknowns are vectors of two components; unknown k has the numbers 2 k and 2 k + 1 in a vector of all components. The first
-/// `nodes` unknowns are the nodes' own displacements, in the order of the nodes; the ghosts follow.
+/// Unknowns are vectors of two components; unknown k has the numbers 2 k and 2 k + 1 in a vector of all components. The
+/// first `nodes` unknowns are the nodes' own displacements, in the order of the nodes; the ghosts follow.
 struct Unknowns {
   Index nodes = 0;
-  Index count = 0;                 ///< nodes and ghosts
-  std::vector<Index> ghost;        ///< per node: its ghost unknown, or kNone
-  std::vector<Index> node_of;      ///< per unknown: the node it belongs to
+  Index count = 0;             ///< nodes and ghosts
+  std::vector<Index> ghost;    ///< per node: its ghost unknown, or kNone
+  std::vector<Index> node_of;  ///< per unknown: the node it belongs to
   Index enriched() const { return count - nodes; }
   Index components() const { return 2 * count; }
 };
@@ -33,9 +33,9 @@ inline constexpr double kLeastSupport = 1e-10;
 /// Numbers the unknowns. Nodes at which a crack ends keep a single displacement, so that the jump vanishes there.
 Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cut);
 
-/// The unknown that node `corner` (0, 1, 2) of a cut triangle contributes to `side`: its own where the node lies on that
-/// side or is not enriched, its ghost otherwise.
-Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element, int corner,
-                   geometry::Side side);
+/// The unknown that node `corner` (0, 1, 2) of a cut triangle contributes to `side`: its own where the node lies on
+/// that side or is not enriched, its ghost otherwise.
+Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element,
+                   int corner, geometry::Side side);
 
 }  // namespace cleft::enrichment

@@ -24,8 +24,8 @@ struct CutElement {
   std::array<std::vector<std::array<Vec2, 3>>, 2> sub_triangles;  ///< counter-clockwise; their areas add up to `area`
 };
 
-/// The piece of a crack inside one triangle between two consecutive vertices (crossings with mesh edges and kinks), along
-/// the crack's direction. Consecutive segments of a chain share their vertex to the last bit.
+/// The piece of a crack inside one triangle between two consecutive vertices (crossings with mesh edges and kinks),
+/// along the crack's direction. Consecutive segments of a chain share their vertex to the last bit.
 struct FaceSegment {
   Index cut = kNone;  ///< index into CutMesh::elements
   Index crack = kNone;
@@ -39,7 +39,7 @@ struct FaceSegment {
 struct CrackEnd {
   enum class Kind { Tip, Mouth } kind = Kind::Tip;  ///< inside the body, or at (or beyond) its boundary
   Vec2 nominal;                                     ///< the polyline's end
-  Vec2 effective;                                   ///< where the cut really ends: on an element edge, or on the boundary
+  Vec2 effective;  ///< where the cut really ends: on an element edge, or on the boundary
   double s = 0.0;  ///< arc length of `effective` (below 0 or above the nominal length where the tip was moved out)
 };
 
@@ -62,9 +62,9 @@ struct CutMesh {
 /// Crossings nearer to a node than this fraction of the edge are moved onto the node.
 inline constexpr double kSnap = 1e-6;
 
-/// Cuts `mesh` by `cracks`. Throws InputError (key = name of the crack) when a crack lies outside the body, is too short to
-/// open any element, crosses itself or another crack, shares an element with another crack, or winds so tightly that
-/// a node would lie on both of its sides.
+/// Cuts `mesh` by `cracks`. Throws InputError (key = name of the crack) when a crack lies outside the body, is too
+/// short to open any element, crosses itself or another crack, shares an element with another crack, or winds so
+/// tightly that a node would lie on both of its sides.
 CutMesh cut(const Mesh& mesh, const std::vector<Crack>& cracks);
 
 }  // namespace cleft::geometry

@@ -34,9 +34,9 @@ std::vector<Index> nodes_in_box(const Mesh& mesh, const std::array<double, 4>& b
 
 /// Edges and who shares them.
 struct Edges {
-  std::vector<std::array<Index, 2>> nodes;          ///< lower node number first
-  std::vector<std::array<Index, 2>> triangles;      ///< the two triangles, or kNone second on the boundary
-  std::vector<std::array<Index, 3>> of_triangle;    ///< edge k of a triangle runs from its node k to its node k + 1
+  std::vector<std::array<Index, 2>> nodes;        ///< lower node number first
+  std::vector<std::array<Index, 2>> triangles;    ///< the two triangles, or kNone second on the boundary
+  std::vector<std::array<Index, 3>> of_triangle;  ///< edge k of a triangle runs from its node k to its node k + 1
 };
 Edges edges_of(const Mesh& mesh);
 

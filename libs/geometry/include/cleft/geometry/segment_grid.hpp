@@ -12,8 +12,8 @@
 
 namespace cleft::geometry {
 
-/// A hashed uniform grid over segments of the plane: however far apart they are, memory is O(segments). Rebuilding reuses
-/// its memory. Building is O(segments), a query touches only the cells that the box of the query segment covers.
+/// A hashed uniform grid over segments of the plane: however far apart they are, memory is O(segments). Rebuilding
+/// reuses its memory. Building is O(segments), a query touches only the cells that the box of the query segment covers.
 class SegmentGrid {
  public:
   /// Segment k runs from `starts[k]` to `ends[k]`, metres. Both spans have one length; empty is allowed, and so are

@@ -22,7 +22,7 @@ struct MeshSpec {
 };
 
 struct MaterialSpec {
-  std::string model;  ///< hencky | neo-hookean
+  std::string model;   ///< hencky | neo-hookean
   double young = 0.0;  ///< Pa
   double poisson = 0.0;
 };
@@ -97,8 +97,8 @@ struct SolverSpec {
   int max_iterations = 12;
   double min_step = 1e-4;
   bool extrapolate = true;
-  int gauss_points = 2;          ///< per crack segment
-  double search_radius = 0.0;    ///< metres; 0: by scale
+  int gauss_points = 2;        ///< per crack segment
+  double search_radius = 0.0;  ///< metres; 0: by scale
 };
 
 struct Scene {

@@ -14,9 +14,11 @@ using Field = std::function<Vec2(const Vec2& reference)>;
 
 /// Looks up a field and checks its parameters. Throws InputError with what is allowed.
 ///
-///  - `mode-I`, `mode-II`: the near field of a crack tip in an infinite plane under plane strain, small strain; parameters tip_x, tip_y
+///  - `mode-I`, `mode-II`: the near field of a crack tip in an infinite plane under plane strain, small strain;
+///  parameters tip_x, tip_y
 ///    (default 0), angle (degrees of the direction ahead of the tip, default 0), K (Pa sqrt(m), default 1e6);
-///  - `waves`: u = a (sin(k x) cos(k y), cos(k x) sin(k y / 2)); parameters a (metres, default 0.01) and k (1/m, default pi).
+///  - `waves`: u = a (sin(k x) cos(k y), cos(k x) sin(k y / 2)); parameters a (metres, default 0.01) and k (1/m,
+///  default pi).
 Field make_field(const FieldSpec& spec, const constitutive::Lame& constants);
 
 /// Gradient of a field by fourth-order differences over steps of `step` metres.

@@ -8,14 +8,14 @@
 
 namespace cleft::scene {
 
-/// Meshes, cuts, numbers and binds boundary values. Throws InputError, located in the scene, on what only then shows: a crack
-/// outside the body, boundaries that contradict each other at a shared node, a box without nodes.
+/// Meshes, cuts, numbers and binds boundary values. Throws InputError, located in the scene, on what only then shows: a
+/// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
 assembly::Model build_model(const Scene& scene);
 
 assembly::StepControls step_controls(const Scene& scene);
 
-/// Norms of the error against an exact solution, and of that solution itself: L2 of the displacement (m^2), and the energy
-/// norm of small strain (sqrt(J/m)).
+/// Norms of the error against an exact solution, and of that solution itself: L2 of the displacement (m^2), and the
+/// energy norm of small strain (sqrt(J/m)).
 struct ErrorNorms {
   double l2 = 0.0, energy = 0.0, l2_exact = 0.0, energy_exact = 0.0;
 };

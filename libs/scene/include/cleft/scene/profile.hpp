@@ -11,21 +11,22 @@ namespace cleft::scene {
 struct ProfilePoint {
   Index crack = kNone;
   geometry::Side side = geometry::Side::Left;
-  double s = 0.0;               ///< arc length along the crack, metres
-  Vec2 reference, current;      ///< metres
-  double gap = 0.0;             ///< g_N, metres; nan where nothing is opposite
+  double s = 0.0;                         ///< arc length along the crack, metres
+  Vec2 reference, current;                ///< metres
+  double gap = 0.0;                       ///< g_N, metres; nan where nothing is opposite
   double normal = 0.0, tangential = 0.0;  ///< t_N, t_T per reference area, Pa
-  double pressure = 0.0;        ///< Cauchy pressure, Pa, positive in compression
-  double slip = 0.0;            ///< cumulative, metres
+  double pressure = 0.0;                  ///< Cauchy pressure, Pa, positive in compression
+  double slip = 0.0;                      ///< cumulative, metres
   contact::Status status = contact::Status::Open;
-  double partner_s = 0.0;       ///< nan where nothing is opposite
+  double partner_s = 0.0;  ///< nan where nothing is opposite
   double partner_pressure = 0.0;
 };
 
 /// All contact points at the stepper's last converged state.
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper);
 
-/// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress; each side of a cut triangle has its own points.
+/// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress; each side of a cut triangle has
+/// its own points.
 VtuGrid bulk_grid(const assembly::Model& model, const VecX& displacement);
 
 /// Both faces of every crack as lines with displacement, side, pressure and tractions.

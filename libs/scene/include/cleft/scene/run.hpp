@@ -13,14 +13,14 @@ namespace cleft::scene {
 
 /// Where a run stands, for whoever shows it.
 struct Progress {
-  double load = 0.0;          ///< of the last converged increment
-  int increment = 0;          ///< under way, from 1
-  int iteration = 0;          ///< 0: the increment has just converged
+  double load = 0.0;  ///< of the last converged increment
+  int increment = 0;  ///< under way, from 1
+  int iteration = 0;  ///< 0: the increment has just converged
   double residual = 0.0;
   long iterations = 0, cuts = 0;
   int contact_points = 0;
-  double elapsed = 0.0;       ///< seconds
-  double rest = 0.0;          ///< estimate, seconds
+  double elapsed = 0.0;  ///< seconds
+  double rest = 0.0;     ///< estimate, seconds
 };
 
 struct RunOptions {
@@ -37,7 +37,7 @@ struct RunResult {
   double load = 0.0;
   long increments = 0, iterations = 0, cuts = 0;
   double worst_residual = 0.0;
-  double newton_order = 0.0;          ///< median over the increments that allow to tell; 0: none
+  double newton_order = 0.0;  ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;
   double seconds = 0.0;
   double yardstick = 0.0;             ///< iterations times one factorisation and solve, seconds
@@ -46,8 +46,8 @@ struct RunResult {
   double peak_megabytes = 0.0;
 };
 
-/// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad scene,
-/// std::runtime_error where files cannot be written or a checkpoint does not fit.
+/// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad
+/// scene, std::runtime_error where files cannot be written or a checkpoint does not fit.
 RunResult run(const Scene& scene, const RunOptions& options);
 
 }  // namespace cleft::scene

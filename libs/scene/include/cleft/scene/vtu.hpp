@@ -17,9 +17,9 @@ struct VtuArray {
 
 /// Triangles or lines (by `cell_size` 3 or 2).
 struct VtuGrid {
-  std::vector<Vec2> points;          ///< reference coordinates, metres; z is 0
+  std::vector<Vec2> points;  ///< reference coordinates, metres; z is 0
   int cell_size = 3;
-  std::vector<Index> connectivity;   ///< cell_size point numbers a cell
+  std::vector<Index> connectivity;  ///< cell_size point numbers a cell
   std::vector<VtuArray> point_data, cell_data;
 };
 

@@ -1,5 +1,6 @@
+#include "cleft/contact/law.hpp"
+
 #include <vector>
 
 #include "cleft/constitutive/hencky.hpp"
-#include "cleft/contact/law.hpp"
 #include "cleft/geometry/crack.hpp"
