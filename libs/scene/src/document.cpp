@@ -116,6 +116,9 @@ Location Document::locate(const toml::node& node, const std::string& path) const
     if (path.starts_with(key) && (path.size() == key.size() || path[key.size()] == '.' || path[key.size()] == '['))
       return {"--set " + text};
   const auto at = node.source().begin;
+  if (at.line == 0)  // a section that an override has made
+    for (const auto& [key, text] : overrides)
+      if (key.starts_with(path)) return {"--set " + text};
   return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
 }
 

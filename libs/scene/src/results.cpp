@@ -25,8 +25,8 @@ const char* name_of(contact::Status status) {
 
 }  // namespace
 
-Results::Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed)
-    : scene_(scene), model_(model), directory_(std::move(directory)) {
+Results::Results(const assembly::Model& model, std::string directory, const Checkpoint* resumed)
+    : model_(model), directory_(std::move(directory)) {
   std::string history = "step,load,iterations,cuts";
   for (const auto& p : model.prescribed) history += fmt::format(",fx_{0},fy_{0}", p.name);
   history +=

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "cleft/scene/checkpoint.hpp"
-#include "cleft/scene/description.hpp"
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/profile.hpp"
 
@@ -14,7 +13,7 @@ namespace cleft::scene {
 class Results {
  public:
   /// Starts the files of a fresh run, or goes on with those that a checkpoint speaks of.
-  Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed);
+  Results(const assembly::Model& model, std::string directory, const Checkpoint* resumed);
 
   void add_step(const assembly::Step& step, const assembly::LoadStepper& stepper);
   void add_fields(const assembly::LoadStepper& stepper);
@@ -26,7 +25,6 @@ class Results {
  private:
   void open(const std::string& file, const std::string& header, const Checkpoint* resumed);
 
-  const Scene& scene_;
   const assembly::Model& model_;
   std::string directory_;
   std::map<std::string, LineLog> logs_;

@@ -132,7 +132,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   if (!options.resume) remove_results(options.directory);
   assembly::LoadStepper stepper(model, step_controls(scene));
-  Results results(scene, model, options.directory, options.resume ? &kept : nullptr);
+  Results results(model, options.directory, options.resume ? &kept : nullptr);
   if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
 
   RunResult result;

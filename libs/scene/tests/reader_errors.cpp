@@ -116,7 +116,6 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
       {points, "points = [[0.0, @true], [0.0, 0.02]]", "crack[0].points[0]", "not a number"},
       {"[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]", "@[[crack]]\nname = \"main\"",
        "crack[0].points", "missing"},
-      {"negative_side = \"left\"", "curve = \"sine\"\nnegative_side = \"left\" #@", "crack[0].points", ""},
       {"friction = 0.3", "friction = @-0.1", "crack[0].friction", "-0.1 is out of range; allowed: 0 or greater"},
       {"friction = 0.3", "friction = 0.3\n@growth = { criterion = \"rankine\" }", "crack[0].growth", "unknown key"},
       {"friction = 0.3", "friction = 0.3\nperiods = @2", "crack[0].periods", "allowed with curve = \"sine\" only"},
@@ -156,8 +155,6 @@ TEST(SceneReader, ReportsFaultsOfBoundaries) {
       {"uy = -0.005", "rotation = @{ center = [0, 0] }", "boundary[1].rotation.degrees", "missing"},
       {"ux = -0.004\nuy = -0.005", "field = @{ a = 1.0 }", "boundary[1].field", "the field has no name"},
       {"ux = -0.004\nuy = -0.005", "field = { name = \"waves\", a = @\"b\" }", "boundary[1].field", "not a number"},
-      {"[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\n\n[[boundary]]\non = \"top\"\nux = -0.004\nuy = -0.005\n",
-       "#@", "boundary", "missing"},
   });
 }
 
