@@ -5,8 +5,10 @@
 #include "cleft/support/error.hpp"
 #include "verbs.hpp"
 
-int main(int argc, char** argv) {
-  using namespace cleft::tools;
+namespace cleft::tools {
+namespace {
+
+int dispatch(int argc, char** argv) {
   CLI::App app{"cleft: frictional cracks in solids at large deformation"};
   app.name("cleft");
   app.require_subcommand(1);
@@ -17,7 +19,7 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;
-  } catch (const cleft::InputError& error) {
+  } catch (const InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kBadInput;
   } catch (const std::exception& error) {
@@ -25,4 +27,15 @@ int main(int argc, char** argv) {
     return kBadInput;
   }
   return result;
+}
+
+}  // namespace
+}  // namespace cleft::tools
+
+int main(int argc, char** argv) {
+  try {
+    return cleft::tools::dispatch(argc, argv);
+  } catch (...) {  // not even a message could be printed
+    return cleft::tools::kFailed;
+  }
 }

@@ -22,7 +22,7 @@ inline void discretise(Model& m, double penalty_scale, double friction, contact:
   s.points = contact::place_points(s, 2);
 }
 
-inline Prescribed hold(const Model& m, const std::string& on, Vec2 at_full_load) {
+inline Prescribed hold(const Model& m, const std::string& on, const Vec2& at_full_load) {
   return {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [at_full_load](const Vec2&, double load) {
             return Vec2(load * at_full_load);
           }};

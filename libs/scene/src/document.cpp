@@ -209,7 +209,7 @@ std::string Section::text(std::string_view key) const {
 }
 
 std::string Section::choice(std::string_view key, const std::vector<std::string>& allowed) const {
-  const std::string value = text(key);
+  std::string value = text(key);
   std::string list;
   for (const auto& a : allowed) {
     if (a == value) return value;
