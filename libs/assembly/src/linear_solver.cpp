@@ -94,6 +94,9 @@ void LinearSolver::new_pattern(long number) {
 bool LinearSolver::factorise(const BlockMatrix& matrix) {
   auto& d = *data_;
   ++d.seconds.factorisations;
+  d.positive_definite = false;
+  // CHOLMOD takes them for positive definite
+  if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return false;
   d.positive_definite = d.kind == Factorisation::Symmetric && d.factorise_symmetric(matrix);
   if (d.positive_definite) return true;
   if (d.kind == Factorisation::Symmetric) ++d.seconds.unsymmetric_fallbacks;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace cleft::assembly {
 namespace {
@@ -24,6 +25,29 @@ void predict(const State& state, const std::vector<Constraint>& constraints, con
     moved = std::max(moved, std::fabs(target[k] - state.displacement[c]));
   }
   if (missed <= kSameWay * moved) u = guess;
+}
+
+// A correction beyond this many times the body's extent and the prescribed motion comes from a matrix that is singular
+// but for rounding. It must not pass: at such displacements the floor of rounding is above every load.
+constexpr double kFlewAway = 1e3;
+
+double extent_of(const geometry::Mesh& mesh) {
+  Vec2 low = mesh.nodes.front(), high = low;
+  for (const auto& node : mesh.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  return (high - low).norm();
+}
+
+// Where a correction that is too large is largest; empty if none is.
+std::string flew_away(const Model& model, const VecX& du, double bound) {
+  Eigen::Index worst = 0;
+  const double most = du.cwiseAbs().maxCoeff(&worst);
+  if (most <= bound) return {};
+  const Index node = model.unknowns.node_of[worst / 2];
+  return fmt::format("node {} at ({:.6g}, {:.6g}) would move by {:.1e} m", node, model.mesh.nodes[node].x(),
+                     model.mesh.nodes[node].y(), most);
 }
 
 // Replaces the equations of prescribed components by du = change.
@@ -106,6 +130,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   VecX change(target.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
 
+  const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
+
   ContactTally last;
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
@@ -156,9 +182,11 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const bool regular = solver.factorise(assembler.matrix());
     if (regular) du = solver.solve(assembler.matrix(), rhs);
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
-    if (!regular || !du.allFinite()) {
+    const bool finite = regular && du.allFinite();
+    const std::string lost = finite ? flew_away(model, du, kFlewAway * reach) : std::string{};
+    if (!finite || !lost.empty()) {
       out.failure =
-          Failure{regular ? FailureKind::NotFinite : FailureKind::Singular, "",
+          Failure{regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
                   "are all parts of the body held? prescribe more components, or bring the parts into contact"};
       return out;
     }

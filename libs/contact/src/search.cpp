@@ -55,6 +55,12 @@ int direction_of(const FacePositions& at, const Ray& ray, Index f, bool at_end) 
   return along != at_end ? 1 : -1;
 }
 
+// Whether `wanted` belongs to the chain of segments that ends freely at the end (or start) of `f`.
+bool same_face(const Surfaces& surfaces, Index f, bool at_end, Index wanted) {
+  while (f != kNone && f != wanted) f = at_end ? surfaces.faces[f].previous : surfaces.faces[f].next;
+  return f != kNone;
+}
+
 }  // namespace
 
 void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
@@ -108,6 +114,8 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
         const bool past = overrun > 0.0;
         if (past && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) continue;
         if (past) hit = {f, gap};
+        // a mouth ends the face that is opposite; behind another one it has no say
+        if (!past && !same_face(surfaces, f, at_end, hit.face)) continue;
         pair.mouth_face = f;
         pair.mouth_at_end = at_end;
       }

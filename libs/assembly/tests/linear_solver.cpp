@@ -1,0 +1,77 @@
+// Matrices that are wrong, and what the solver keeps between them.
+#include "cleft/assembly/linear_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace cleft::assembly {
+namespace {
+
+// Springs from block to block along a chain, the first one to the ground unless it floats.
+BlockMatrix chain(Index size, bool floats) {
+  std::vector<std::array<Index, 2>> blocks;
+  for (Index i = 0; i + 1 < size; ++i) {
+    blocks.push_back({i, i + 1});
+    blocks.push_back({i + 1, i});
+  }
+  BlockMatrix m(size, blocks);
+  for (Index i = 0; i + 1 < size; ++i) {
+    const Mat2 k = Mat2::Identity();
+    m.add(m.find(i, i), k);
+    m.add(m.find(i + 1, i + 1), k);
+    m.add(m.find(i, i + 1), -k);
+    m.add(m.find(i + 1, i), -k);
+  }
+  if (!floats) m.add(m.find(0, 0), Mat2::Identity());
+  return m;
+}
+
+class Solver : public testing::TestWithParam<Factorisation> {};
+INSTANTIATE_TEST_SUITE_P(Kinds, Solver, testing::Values(Factorisation::Unsymmetric, Factorisation::Symmetric));
+
+TEST_P(Solver, ReportsAFloatingChain) {
+  LinearSolver solver(GetParam());
+  solver.new_pattern(1);
+  EXPECT_FALSE(solver.factorise(chain(6, true)));
+}
+
+TEST_P(Solver, ReportsValuesThatAreNotNumbers) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (const Index at : {0, 3, 5}) {
+      BlockMatrix m = chain(6, false);
+      m.add(m.find(at, at), bad * Mat2::Ones());
+      LinearSolver solver(GetParam());
+      solver.new_pattern(1);
+      EXPECT_FALSE(solver.factorise(m)) << bad << " in block " << at;
+    }
+}
+
+TEST_P(Solver, RecoversAfterAMatrixThatFailed) {
+  LinearSolver solver(GetParam());
+  solver.new_pattern(1);
+  EXPECT_FALSE(solver.factorise(chain(6, true)));
+  const BlockMatrix good = chain(6, false);
+  ASSERT_TRUE(solver.factorise(good));
+  const VecX b = VecX::LinSpaced(12, 1.0, 2.0);
+  EXPECT_LT((good.multiply(solver.solve(good, b)) - b).norm(), 1e-12);
+}
+
+TEST_P(Solver, AnalysesOncePerPattern) {
+  LinearSolver solver(GetParam());
+  for (const Index size : {5, 8}) {
+    solver.new_pattern(size);
+    for (int k = 0; k < 3; ++k) {
+      const BlockMatrix m = chain(size, false);
+      ASSERT_TRUE(solver.factorise(m));
+      const VecX b = VecX::Ones(2 * size);
+      EXPECT_LT((m.multiply(solver.solve(m, b)) - b).norm(), 1e-12);
+    }
+  }
+  EXPECT_EQ(solver.seconds().analyses, 2);
+  EXPECT_EQ(solver.seconds().factorisations, 6);
+  EXPECT_EQ(solver.seconds().unsymmetric_fallbacks, 0);
+}
+
+}  // namespace
+}  // namespace cleft::assembly

@@ -1,0 +1,148 @@
+// The iteration and the stepping on the sliding block.
+#include "cleft/assembly/newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cleft/assembly/stepping.hpp"
+#include "small_models.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+using contact::NegativeSide;
+
+void advance_to(LoadStepper& stepper, double load, std::size_t* iterations = nullptr) {
+  while (stepper.state().load < load - 1e-9) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    if (iterations) *iterations += std::get<Step>(outcome).iterations.size();
+  }
+}
+
+TEST(Newton, ConvergesQuadraticallyWhileThePartnersStay) {
+  const Model model = models::block(8, NegativeSide::Left);
+  LoadStepper stepper(model, {});
+  advance_to(stepper, 0.3);
+  int seen = 0;
+  while (stepper.state().load < 0.5) {
+    const auto step = std::get<Step>(stepper.advance());
+    const auto& its = step.iterations;
+    for (std::size_t k = 1; k < its.size(); ++k) {
+      const double before = its[k - 1].residual, after = its[k].residual;
+      const bool same = its[k].partner_changes + its[k].status_changes == 0;
+      if (!same || before > 1e-2 || before < 1e-5 || after < 10 * step.rounding) continue;
+      ++seen;
+      EXPECT_LT(std::log(after), 1.6 * std::log(before)) << "at load " << step.load;
+    }
+  }
+  EXPECT_GE(seen, 3);
+}
+
+TEST(Newton, ExtrapolationSavesIterationsAndChangesNothingElse) {
+  std::array<std::size_t, 2> iterations{};
+  std::array<Vec2, 2> force;
+  for (const bool extrapolate : {false, true}) {
+    const Model model = models::block(8, NegativeSide::Left);
+    StepControls controls;
+    controls.newton.extrapolate = extrapolate;
+    LoadStepper stepper(model, controls);
+    ASSERT_NO_FATAL_FAILURE(advance_to(stepper, 0.4, &iterations[extrapolate]));
+    force[extrapolate] = stepper.reactions()[1];
+  }
+  EXPECT_LT(iterations[1], iterations[0]);
+  EXPECT_LT((force[1] - force[0]).norm(), 1e-5 * force[0].norm());
+}
+
+TEST(Newton, TightToleranceNeedsNoMoreThanRounding) {
+  const Model model = models::block(8, NegativeSide::Right);
+  StepControls controls;
+  controls.newton.residual_tolerance = 0.0;  // out of reach: only the rounding floor ends the iteration
+  LoadStepper stepper(model, controls);
+  for (int k = 0; k < 5; ++k) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    const auto& step = std::get<Step>(outcome);
+    EXPECT_EQ(step.cuts, 0);
+    EXPECT_LE(step.final_residual, step.rounding);
+  }
+}
+
+TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
+  const Model model = models::block(8, NegativeSide::Left);
+  NewtonControls controls;
+  controls.max_iterations = 1;
+  Assembler assembler(model);
+  LinearSolver solver(Factorisation::Unsymmetric);
+  const auto increment =
+      solve_increment(model, constraints_of(model), state_at_rest(model), 0.1, controls, assembler, solver, {});
+  ASSERT_TRUE(increment.failure);
+  EXPECT_EQ(increment.failure->kind, FailureKind::NoConvergence);
+  EXPECT_NE(describe(*increment.failure).find("after 1 iterations"), std::string::npos);
+  EXPECT_EQ(increment.iterations.size(), 1u);
+}
+
+TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
+  const Model model = models::block(8, NegativeSide::Left);
+  LoadStepper stepper(model, {});
+  ASSERT_NO_FATAL_FAILURE(advance_to(stepper, 0.2));
+  Assembler assembler(model);
+  LinearSolver solver(Factorisation::Unsymmetric);
+  NewtonControls controls;
+  controls.correction_tolerance = 1e300;  // judged by the residual alone
+  controls.extrapolate = false;
+  const State& state = stepper.state();
+  const auto increment =
+      solve_increment(model, constraints_of(model), state, state.load, controls, assembler, solver, {});
+  ASSERT_FALSE(increment.failure) << describe(*increment.failure);
+  EXPECT_LE(increment.iterations.size(), 1u) << "the moved anchors reproduce the tractions";
+  EXPECT_LT((increment.displacement - state.displacement).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(LoadStepper, WhichSideIsIntegratedHardlyMatters) {
+  std::array<Vec2, 3> force;
+  for (const auto side : {NegativeSide::Right, NegativeSide::Left, NegativeSide::Both}) {
+    const Model model = models::block(8, side);
+    LoadStepper stepper(model, {});
+    ASSERT_NO_FATAL_FAILURE(advance_to(stepper, 0.5));
+    force[static_cast<int>(side)] = stepper.reactions()[1];
+  }
+  for (const Vec2& other : force) EXPECT_NEAR(other.y() / force[0].y(), 1.0, 0.005);
+}
+
+TEST(LoadStepper, BalancesTheEnergyOfTheSlidingBlock) {
+  for (const int steps : {25, 100}) {
+    const Model model = models::block(8, NegativeSide::Right);
+    StepControls controls;
+    controls.steps = steps;
+    LoadStepper stepper(model, controls);
+    ASSERT_NO_FATAL_FAILURE(advance_to(stepper, 0.8));
+    const Energies& e = stepper.state().energies;
+    EXPECT_GT(e.friction_dissipation, 0.05 * e.external_work);
+    EXPECT_LT(std::fabs(e.imbalance()), 0.005 * e.external_work) << steps << " steps";
+  }
+}
+
+TEST(LoadStepper, ARestoredRunGoesOnBitForBit) {
+  const Model model = models::block(8, NegativeSide::Both);
+  LoadStepper stepper(model, {});
+  ASSERT_NO_FATAL_FAILURE(advance_to(stepper, 0.5));
+  LoadStepper resumed(model, {});
+  resumed.restore(stepper.state(), stepper.place(), stepper.assembler().room());
+  const long pattern = stepper.assembler().pattern_version();
+  while (!stepper.done()) {
+    const auto one = stepper.advance(), two = resumed.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(one) && std::holds_alternative<Step>(two));
+    EXPECT_EQ(std::get<Step>(one).number, std::get<Step>(two).number);
+    EXPECT_EQ(std::get<Step>(one).iterations.size(), std::get<Step>(two).iterations.size());
+    ASSERT_TRUE((stepper.state().displacement.array() == resumed.state().displacement.array()).all())
+        << "at load " << stepper.state().load;
+    ASSERT_EQ(stepper.state().energies.imbalance(), resumed.state().energies.imbalance());
+  }
+  EXPECT_GT(stepper.assembler().pattern_version(), pattern) << "the test must see the pattern change";
+}
+
+}  // namespace
+}  // namespace cleft::assembly

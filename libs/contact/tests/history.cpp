@@ -1,0 +1,175 @@
+// What contact points remember, on blocks in steady contact: pressure 1 Pa, strength 0.5 Pa, eps_T 2000 Pa/m.
+#include "cleft/contact/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "slider.hpp"
+
+namespace cleft::contact {
+namespace {
+
+constexpr double kDeep = 1e-3, kStrength = 0.5, kTangential = 2e3;
+constexpr double kElastic = kStrength / kTangential;  // tangential gap at which sliding sets in
+
+class History : public testing::TestWithParam<NegativeSide> {
+ protected:
+  Slider s{GetParam()};
+  double sense = GetParam() == NegativeSide::Right ? 1.0 : -1.0;  // of the traction that resists: g_T = x_A - y
+
+  // The points that stay clear of the mouths while the upper body slides by up to a fifth.
+  bool inner(std::size_t p) const {
+    const auto& face = s.surfaces.faces[s.surfaces.points[p].face];
+    return face.s_start > 0.25 && face.s_end < 0.75;
+  }
+  template <class Check>
+  void each(Check&& check) {
+    int count = 0;
+    for (std::size_t p = 0; p < s.pairs.size(); ++p)
+      if (inner(p)) check(p), ++count;
+    EXPECT_GT(count, 15);
+  }
+  void go(double along, double turn = 0.0) { s.look(s.shift({along, -kDeep}, turn)); }
+  double tangential(std::size_t p) const { return s.pairs[p].state.traction.tangential; }
+};
+INSTANTIATE_TEST_SUITE_P(Sides, History, testing::Values(NegativeSide::Left, NegativeSide::Right));
+
+TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
+  const auto rest = s.memory;
+  go(0.6 * kElastic);
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
+    EXPECT_NEAR(tangential(p), sense * 0.6 * kStrength, 1e-11);
+  });
+  s.commit();
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.memory[p].anchor_face, rest[p].anchor_face);
+    EXPECT_EQ(s.memory[p].anchor_place, rest[p].anchor_place);
+    EXPECT_EQ(s.memory[p].slip, 0.0);
+  });
+}
+
+TEST_P(History, AReversalUnloadsFromTheTractionReachedAndSlidesBackAfterTwiceTheElasticGap) {
+  go(0.1);
+  s.commit();
+  for (const auto& [back, expected] : {std::pair{0.5, 0.5}, {1.0, 0.0}, {1.5, -0.5}, {1.999, -0.999}}) {
+    go(0.1 - back * kElastic);
+    each([&](std::size_t p) {
+      EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
+      EXPECT_NEAR(tangential(p), sense * expected * kStrength, 1e-10);
+    });
+  }
+  go(0.1 - 2.001 * kElastic);
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.pairs[p].state.traction.status, Status::Slip);
+    EXPECT_NEAR(tangential(p), -sense * kStrength, 1e-10);
+  });
+}
+
+TEST_P(History, StickingAgainAfterAReversalGoesOnFromTheTractionReached) {
+  go(0.1);
+  s.commit();
+  go(0.1 - 1.5 * kElastic);
+  s.commit();  // sticks at minus half the strength
+  go(0.1 - 0.7 * kElastic);
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
+    EXPECT_NEAR(tangential(p), sense * 0.3 * kStrength, 1e-10);
+  });
+  go(0.12);
+  each([&](std::size_t p) { EXPECT_NEAR(tangential(p), sense * kStrength, 1e-10); });
+}
+
+TEST_P(History, ALongElasticGapPutsTheAnchorManySegmentsBack) {
+  s.surfaces.laws[0].tangential_penalty = 4.0;  // sliding sets in at an eighth of the body's width
+  go(0.15);
+  s.commit();
+  each([&](std::size_t p) {
+    const auto& point = s.surfaces.points[p];
+    const auto &own = s.surfaces.faces[point.face], &face = s.surfaces.faces[s.memory[p].anchor_face];
+    const double here = own.s_start + point.eta * (own.s_end - own.s_start);
+    const double anchor = face.s_start + s.memory[p].anchor_place * (face.s_end - face.s_start);
+    EXPECT_NEAR(anchor, here - sense * (0.15 - 0.125), 1e-12);
+    EXPECT_GE(s.memory[p].anchor_place, 0.0);
+    EXPECT_LE(s.memory[p].anchor_place, 1.0);
+    EXPECT_NEAR(s.memory[p].slip, 0.025, 1e-12);
+  });
+}
+
+TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
+  for (const int increments : {1, 7}) {
+    Slider fresh(GetParam());
+    std::swap(s, fresh);
+    go(0.05);
+    s.commit();
+    std::vector<double> work(s.pairs.size(), 0.0), before(s.pairs.size());
+    for (std::size_t p = 0; p < s.pairs.size(); ++p) before[p] = s.memory[p].slip;
+    for (int k = 1; k <= increments; ++k) {
+      go(0.05 + 0.1 * k / increments);
+      for (std::size_t p = 0; p < s.pairs.size(); ++p)
+        work[p] +=
+            advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation;
+      s.commit();
+    }
+    each([&](std::size_t p) {
+      EXPECT_NEAR(work[p], kStrength * 0.1, 1e-12);
+      EXPECT_NEAR(s.memory[p].slip - before[p], 0.1, 1e-12);
+    });
+  }
+}
+
+TEST_P(History, DissipationIsNeverNegativeToAndFro) {
+  double place = 0.0, total = 0.0;
+  for (int k = 0; k < 60; ++k) {
+    place += 0.02 * std::sin(1.7 * k) * std::cos(0.3 * k);
+    go(place);
+    each([&](std::size_t p) {
+      const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+      EXPECT_GE(next.dissipation, 0.0);
+      EXPECT_GE(next.memory.slip, s.memory[p].slip);
+      total += next.dissipation;
+    });
+    s.commit();
+  }
+  EXPECT_GT(total, 0.0);
+}
+
+TEST_P(History, RigidTurnsBetweenAllIncrementsChangeNothing) {
+  Slider turned(GetParam());
+  double turn = 0.0;
+  for (const double along : {0.03, 0.09, 0.0899, 0.0898, 0.12}) {  // slide, slide, stick back twice, slide
+    go(along);
+    turned.look(turned.shift({along, -kDeep}, turn += 0.9));
+    each([&](std::size_t p) {
+      EXPECT_EQ(turned.pairs[p].state.traction.status, s.pairs[p].state.traction.status);
+      EXPECT_NEAR(turned.pairs[p].state.traction.normal, s.pairs[p].state.traction.normal, 1e-11);
+      EXPECT_NEAR(turned.pairs[p].state.traction.tangential, tangential(p), 1e-10);
+    });
+    s.commit();
+    turned.commit();
+    each([&](std::size_t p) { EXPECT_NEAR(turned.memory[p].slip, s.memory[p].slip, 1e-12); });
+  }
+}
+
+TEST_P(History, OpeningForgetsTheAnchorButNotTheSlip) {
+  go(0.1);
+  s.commit();
+  const auto slid = s.memory;
+  s.look(s.shift({0.1, kDeep}));
+  s.commit();
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.memory[p].anchor_face, kNone);
+    EXPECT_EQ(s.memory[p].tangential, 0.0);
+    EXPECT_EQ(s.memory[p].slip, slid[p].slip);
+  });
+  go(0.13);
+  s.commit();
+  go(0.13 + 0.5 * kElastic);
+  each([&](std::size_t p) {
+    EXPECT_NEAR(tangential(p), sense * 0.5 * kStrength, 1e-10) << "anchored where it touched";
+  });
+}
+
+}  // namespace
+}  // namespace cleft::contact

@@ -1,0 +1,52 @@
+// Two blocks that slide past each other along a horizontal crack.
+#pragma once
+
+#include "cleft/contact/history.hpp"
+
+namespace cleft::contact {
+
+// A square cut by a horizontal crack through the middle of a row of elements; `shift` moves everything above it.
+struct Slider {
+  geometry::Mesh mesh;
+  geometry::CutMesh cut;
+  enrichment::Unknowns unknowns;
+  Surfaces surfaces;
+  Search search;
+  std::vector<Pair> pairs;
+  std::vector<Memory> memory;
+
+  explicit Slider(NegativeSide side, int cells_along = 20)
+      : mesh(geometry::structured_mesh({0, 0, 1, 1}, {cells_along, 5}, geometry::Diagonal::Right)),
+        cut(geometry::cut(mesh, {{"crack", {{0.0, 0.51}, {1.0, 0.51}}}})),
+        unknowns(enrichment::number_unknowns(mesh, cut)) {
+    surfaces.faces = enrichment::make_faces(mesh, cut, unknowns);
+    surfaces.laws = {{1e3, 2e3, 0.5}};
+    surfaces.sides = {side};
+    surfaces.element_size = 0.1;
+    surfaces.points = place_points(surfaces, 2);
+    memory = memory_at_rest(surfaces);
+  }
+
+  VecX shift(const Vec2& by, double turn = 0.0) const {
+    Mat2 r;
+    r << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
+    std::vector<geometry::Side> side(mesh.nodes.size());
+    for (std::size_t i = 0; i < side.size(); ++i)
+      side[i] = mesh.nodes[i].y() > 0.51 ? geometry::Side::Left : geometry::Side::Right;
+    VecX u(unknowns.components());
+    for (Index q = 0; q < unknowns.count; ++q) {
+      const Vec2& X = mesh.nodes[unknowns.node_of[q]];
+      const bool above = (side[unknowns.node_of[q]] == geometry::Side::Left) == (q < unknowns.nodes);
+      u.segment<2>(2 * q) = r * (X + (above ? by : Vec2::Zero())) - X;
+    }
+    return u;
+  }
+
+  void look(const VecX& u) { search.run(surfaces, u, memory, 0.0, pairs); }
+  void commit() {
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      memory[p] = advance(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
+  }
+};
+
+}  // namespace cleft::contact
