@@ -1,5 +1,6 @@
 // Faulty scenes and what the reader says of them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -32,7 +33,8 @@ steps = 4
 )";
 
 std::string write_scene(const std::string& text) {
-  const std::string path = testing::TempDir() + "cleft_reader.toml";
+  const std::string path =
+      testing::TempDir() + "cleft_reader_" + std::to_string(getpid()) + ".toml";  // tests run side by side
   std::ofstream(path) << text;
   return path;
 }
