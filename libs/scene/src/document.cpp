@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -38,12 +39,22 @@ std::vector<std::string> split_key(const std::string& key) {
   return parts;
 }
 
-// The member of an array of tables that a part of a key names: by number, by its own `name`, or else by what it is `on`.
-toml::node* member(toml::array& array, const std::string& part, std::string& index) {
+// The name of entry `k` of an array of sections: its own `name`, or else the default that it has once it is read.
+std::string name_of(const toml::node& entry, const std::string& section, std::size_t k, int& boxes) {
+  const auto* table = entry.as_table();
+  if (!table) return "";
+  if (table->contains("box")) ++boxes;
+  for (const char* key : {"name", "on"})
+    if (const auto* text = table->get_as<std::string>(key)) return text->get();
+  if (section == "crack") return fmt::format("crack{}", k + 1);
+  return section == "boundary" ? fmt::format("box{}", boxes) : "";
+}
+
+// The member of an array of sections that a part of a key names, by number or by name.
+toml::node* member(toml::array& array, const std::string& section, const std::string& part, std::string& index) {
+  int boxes = 0;
   for (std::size_t k = 0; k < array.size(); ++k) {
-    const auto* table = array[k].as_table();
-    const bool named = table && table->contains("name");
-    const bool by_name = table && table->at_path(named ? "name" : "on").value<std::string>() == part;
+    const bool by_name = name_of(array[k], section, k, boxes) == part;
     if (!by_name && part != std::to_string(k)) continue;
     index = std::to_string(k);
     return &array[k];
@@ -74,7 +85,7 @@ void apply(Document& document, const std::string& text) {
     const bool last = k + 1 == parts.size();
     if (auto* array = at->as_array()) {
       std::string index;
-      at = member(*array, parts[k], index);
+      at = member(*array, path, parts[k], index);
       if (!at)
         throw InputError(here, key, fmt::format("there is no '{}' among the {} entries", parts[k], array->size()));
       path += "[" + index + "]";
@@ -126,12 +137,19 @@ Section::Section(const Document& document, const toml::table& table, std::string
     : document_(&document), table_(&table), path_(std::move(path)), kind_(std::move(kind)) {
   for (const auto& [key, value] : table) {
     if (is_key(kind_, key.str())) continue;
-    std::string problem = "unknown key";
-    if (const auto near = nearest_key(kind_, key.str()); !near.empty())
-      problem += fmt::format("; did you mean '{}'?", near);
-    problem += " allowed:";
-    for (const Key& k : scene_keys())
-      if (k.section == kind_) problem += fmt::format(" {}", k.name);
+    const auto near = nearest_key(kind_, key.str());
+    std::string problem = "unknown key; ";
+    if (is_later_key(kind_, key.str()))
+      problem = "this key is not available in this version; ";
+    else if (!near.empty())
+      problem += fmt::format("did you mean '{}'? ", near);
+    problem += "allowed:";
+    const char* separator = " ";
+    for (const Key& k : scene_keys()) {
+      if (k.section != kind_) continue;
+      problem += separator + std::string(k.name);
+      separator = ", ";
+    }
     Location at_key = document.locate(value, this->path(key.str()));
     if (at_key.line > 0) {
       const auto begin = key.source().begin;
@@ -226,6 +244,11 @@ std::vector<double> Section::numbers(std::string_view key, std::optional<std::si
   std::vector<double> values;
   for (const auto& item : *array) values.push_back(number_of(item, key, allowed.c_str()));
   return values;
+}
+
+bool Section::are_integers(std::string_view key) const {
+  const auto* array = node(key).as_array();
+  return array && std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_integer(); });
 }
 
 std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace cleft::scene {
 namespace {
@@ -19,7 +21,8 @@ namespace {
   throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
 }
 
-void write_all(int fd, const std::string& path, const std::string& content) {
+// Writes and closes; errno tells why if not all was written.
+bool write_all(int fd, const std::string& content) {
   std::size_t done = 0;
   while (done < content.size()) {
     const ssize_t n = ::write(fd, content.data() + done, content.size() - done);
@@ -28,11 +31,40 @@ void write_all(int fd, const std::string& path, const std::string& content) {
       const int error = errno;
       ::close(fd);
       errno = error;
-      fail(path, "cannot be written");
+      return false;
     }
     done += static_cast<std::size_t>(n);
   }
-  if (::close(fd) != 0) fail(path, "cannot be written");
+  return ::close(fd) == 0;
+}
+
+// Cells of one line; a cell in quotes may hold commas and, doubled, quotes.
+std::vector<std::string> split_row(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (line[k] == '"') {
+      const bool doubled = quoted && k + 1 < line.size() && line[k + 1] == '"';
+      if (doubled)
+        cells.back() += line[++k];
+      else
+        quoted = !quoted;
+    } else if (line[k] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[k];
+    }
+  }
+  return cells;
+}
+
+// strtod, since stod refuses the smallest numbers.
+double number_of(const std::string& cell, const std::string& column) {
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  if (cell.empty() || *end != '\0') throw std::runtime_error("column " + column + ": '" + cell + "' is not a number");
+  return value;
 }
 
 }  // namespace
@@ -41,13 +73,12 @@ void write_atomically(const std::string& path, const std::string& content) {
   const std::string temporary = path + ".part";
   const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (fd < 0) fail(path, "cannot be written");
-  try {
-    write_all(fd, path, content);
-  } catch (...) {
-    ::unlink(temporary.c_str());
-    throw;
-  }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
+  const bool written = write_all(fd, content);
+  if (written && std::rename(temporary.c_str(), path.c_str()) == 0) return;
+  const int error = errno;
+  ::unlink(temporary.c_str());
+  errno = error;
+  fail(path, written ? "cannot be replaced" : "cannot be written");
 }
 
 std::string read_bytes(const std::string& path) {
@@ -72,7 +103,13 @@ LineLog::LineLog(std::string path, std::uint64_t keep) : path_(std::move(path)),
 void LineLog::append(const std::string& lines) {
   const int fd = ::open(path_.c_str(), O_WRONLY | O_APPEND);
   if (fd < 0) fail(path_, "cannot be written");
-  write_all(fd, path_, lines);
+  if (!write_all(fd, lines)) {
+    const int error = errno;
+    std::error_code ignored;
+    std::filesystem::resize_file(path_, bytes_, ignored);  // no half of a line stays
+    errno = error;
+    fail(path_, "cannot be written");
+  }
   bytes_ += lines.size();
 }
 
@@ -80,22 +117,20 @@ std::vector<double> CsvTable::column(const std::string& name) const {
   const auto at = std::find(header.begin(), header.end(), name);
   if (at == header.end()) throw std::runtime_error("there is no column " + name);
   std::vector<double> values;
-  for (const auto& row : rows) values.push_back(std::stod(row.at(at - header.begin())));
+  const auto place = static_cast<std::size_t>(at - header.begin());
+  for (const auto& row : rows) {
+    if (place >= row.size()) throw std::runtime_error("column " + name + ": a row ends before it");
+    values.push_back(number_of(row[place], name));
+  }
   return values;
 }
 
 CsvTable read_csv(const std::string& path) {
   std::istringstream in(read_bytes(path));
   CsvTable table;
-  const auto split = [](const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream text(line);
-    for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
-    return cells;
-  };
   std::string line;
-  if (std::getline(in, line)) table.header = split(line);
-  while (std::getline(in, line)) table.rows.push_back(split(line));
+  if (std::getline(in, line)) table.header = split_row(line);
+  while (std::getline(in, line)) table.rows.push_back(split_row(line));
   return table;
 }
 

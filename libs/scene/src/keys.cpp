@@ -71,6 +71,19 @@ constexpr std::array kKeys = {
     Key{"solver", "search_radius", "number", "m; default by scale"},
 };
 
+constexpr std::array<std::array<std::string_view, 2>, 10> kLaterKeys = {{
+    {"mesh", "size"},
+    {"mesh", "refine"},
+    {"mesh", "file"},
+    {"material", "region"},
+    {"material", "cohesion"},
+    {"material", "friction"},
+    {"material", "dilatancy"},
+    {"material", "hardening"},
+    {"material", "yield_stress"},
+    {"crack", "growth"},
+}};
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -91,6 +104,11 @@ std::span<const Key> scene_keys() { return kKeys; }
 
 bool is_key(std::string_view section, std::string_view name) {
   return std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == section && k.name == name; });
+}
+
+bool is_later_key(std::string_view section, std::string_view name) {
+  return std::any_of(kLaterKeys.begin(), kLaterKeys.end(),
+                     [&](const auto& key) { return key[0] == section && key[1] == name; });
 }
 
 std::string_view nearest_key(std::string_view section, std::string_view mistyped) {

@@ -22,7 +22,7 @@ MeshSpec read_mesh(const Section& s) {
   if (!(box[2] > box[0]) || !(box[3] > box[1])) s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
   const auto cells = s.numbers("cells", 2);
   for (int k = 0; k < 2; ++k) {
-    if (cells[k] < 1 || cells[k] > 20000 || cells[k] != std::floor(cells[k]))
+    if (!s.are_integers("cells") || cells[k] < 1 || cells[k] > 20000)
       s.fail("cells", "the mesh has no such number of cells; allowed: integers from 1 to 20000");
     out.cells[k] = static_cast<int>(cells[k]);
   }
@@ -191,6 +191,7 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   out.mesh = read_mesh(*root.section("mesh", "mesh"));
   root.require("material");
   const auto materials = root.sections("material", "material");
+  if (materials.empty()) root.fail("material", "empty; allowed: one [material] section");
   if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
   out.material = read_material(materials[0]);
   if (const auto s = root.section("formulation", "formulation")) read_formulation(*s);

@@ -27,7 +27,8 @@ std::string base64(const void* data, std::size_t size) {
   return out;
 }
 
-// One compressed block: a header of four counts, then the data, each in base64.
+// At most one compressed block: a header (how many blocks, their size, the last one's if it is shorter, and the
+// compressed size of each), then the data, each in base64.
 template <class T>
 std::string encode(const std::vector<T>& values) {
   const std::size_t size = values.size() * sizeof(T);
@@ -36,7 +37,7 @@ std::string encode(const std::vector<T>& values) {
   if (compress2(buffer.data(), &packed, reinterpret_cast<const Bytef*>(values.data()), size, Z_BEST_SPEED) != Z_OK)
     throw std::runtime_error("zlib cannot compress the data");
   const std::uint64_t header[4] = {size == 0 ? 0u : 1u, size, 0, packed};
-  return base64(header, size == 0 ? sizeof(std::uint64_t) : sizeof header) +
+  return base64(header, size == 0 ? 3 * sizeof(std::uint64_t) : sizeof header) +
          (size == 0 ? "" : base64(buffer.data(), packed));
 }
 

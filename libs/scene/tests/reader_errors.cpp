@@ -58,7 +58,7 @@ TEST(SceneReader, SuggestsTheNearestKeyForAnUnknownOne) {
       {"[loading]", "[exact]\n@solutoin = \"waves\"\n[loading]", "exact.solutoin", "did you mean 'solution'?"},
       {"steps = 6", "@step = 6", "loading.step", "did you mean 'steps'?"},
       {"max_iterations =", "@max_iteration =", "solver.max_iteration", "did you mean 'max_iterations'?"},
-      {"title =", "@zzzzzzzzzz =", "zzzzzzzzzz", "unknown key allowed: title mesh"},
+      {"title =", "@zzzzzzzzzz =", "zzzzzzzzzz", "unknown key; allowed: title, mesh, material"},
   });
 }
 
@@ -76,6 +76,9 @@ TEST(SceneReader, ReportsFaultsOfTheMesh) {
       {"cells = [4, 8]", "cells = @[0, 8]", "mesh.cells", "integers from 1"},
       {"cells = [4, 8]", "cells = @[4, -8]", "mesh.cells", "integers from 1"},
       {"cells = [4, 8]", "cells = @[4, 2.5]", "mesh.cells", "integers from 1"},
+      {"cells = [4, 8]", "cells = @[4.0, 8]", "mesh.cells", "integers from 1"},
+      {"cells = [4, 8]", "cells = [4, 8]\n@size = 0.1", "mesh.size",
+       "not available in this version; allowed: kind, box"},
       {"cells = [4, 8]", "cells = [4, @nan]", "mesh.cells", "not a finite number"},
       {"cells = [4, 8]", "cells = @4", "mesh.cells", "wrong shape"},
       {"diagonal = \"right\"", "diagonal = @\"up\"", "mesh.diagonal",
@@ -97,6 +100,8 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"young = 1.0e10", "young = @inf", "material.young", "not a finite number"},
       {"poisson = 0.25", "poisson = @0.5", "material.poisson", "0.5 is out of range"},
       {"poisson = 0.25", "poisson = @-1.0", "material.poisson", "greater than -1 and less than 0.5"},
+      {"[material]\nmodel = \"hencky\"", "[material]\n@cohesion = 1e6\nmodel = \"drucker-prager\"", "material.cohesion",
+       "not available in this version; allowed: model, young, poisson"},
       {"[material]\nmodel = \"hencky\"", "@[material]", "material.model",
        "missing; allowed: text (hencky | neo-hookean)"},
       {"kinematics = \"finite\"", "kinematics = @\"small\"", "formulation.kinematics",
@@ -117,7 +122,8 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
       {"[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]", "@[[crack]]\nname = \"main\"",
        "crack[0].points", "missing"},
       {"friction = 0.3", "friction = @-0.1", "crack[0].friction", "-0.1 is out of range; allowed: 0 or greater"},
-      {"friction = 0.3", "friction = 0.3\n@growth = { criterion = \"rankine\" }", "crack[0].growth", "unknown key"},
+      {"friction = 0.3", "friction = 0.3\n@growth = { criterion = \"rankine\" }", "crack[0].growth",
+       "not available in this version; allowed: name, points"},
       {"friction = 0.3", "friction = 0.3\nperiods = @2", "crack[0].periods", "allowed with curve = \"sine\" only"},
       {points, "curve = @\"circle\"", "crack[0].curve", "'circle' is not available; allowed: sine"},
       {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = @[0, 0.02]\namplitude = 0.001", "crack[0].end", "no length"},

@@ -97,6 +97,8 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
       {"loading.outputs=[2.0]", "loading.outputs", "out of order"},
       {"boundary.1.amplitude=[[1, 0], [0, 1]]", "boundary[1].amplitude", "out of order"},
       {"mesh=3", "mesh", "not a section"},
+      {"material=[]", "material", "one [material] section"},
+      {"crack.main.growth={ criterion = 'rankine' }", "crack[0].growth", "not available in this version"},
   };
   for (const auto& wrong : all) {
     SCOPED_TRACE(wrong.text);
@@ -106,6 +108,18 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
     EXPECT_EQ(error.location().file, std::string("--set ") + wrong.text);
     EXPECT_EQ(error.location().line, 0);
   }
+}
+
+TEST(SceneOverride, DefaultNamesServeToo) {
+  const std::string text = replaced(kPlain, "on = \"bottom\"", "box = [0.0, 0.0, 0.04, 0.0]") +
+                           "[[boundary]]\nbox = [0.0, 0.08, 0.04, 0.08]\nuy = 0.0\n"
+                           "[[crack]]\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n"
+                           "[[crack]]\npoints = [[0.0, 0.06], [0.01, 0.06]]\n";
+  const Scene scene = scene_of(text, {"crack.crack2.friction=0.5", "boundary.box2.uy=0.001"});
+  EXPECT_EQ(scene.cracks[0].friction, 0.0);
+  EXPECT_EQ(scene.cracks[1].friction, 0.5);
+  EXPECT_EQ(scene.boundaries[1].name, "box2");
+  EXPECT_EQ(scene.boundaries[1].uy, 0.001);
 }
 
 TEST(SceneOverride, AFaultOfTheFileStaysAtTheFile) {

@@ -15,13 +15,16 @@
 
 namespace cleft::scene {
 
-/// A folder of its own for the running test, removed at its end.
+/// A folder of its own, named after the running test; removed with this object.
 class Folder {
  public:
   Folder() {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = "cleft_" + std::string(info->test_suite_name()) + "_" + info->name();
+    std::replace(name.begin(), name.end(), '/', '_');  // as the names of parameterised tests have
+    static int count = 0;
     path_ = std::filesystem::path(testing::TempDir()) /
-            ("cleft_" + std::string(info->test_suite_name()) + "_" + info->name() + "_" + std::to_string(getpid()));
+            (name + "_" + std::to_string(getpid()) + "_" + std::to_string(++count));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -8,7 +8,8 @@
 
 namespace cleft::scene {
 
-/// Writes a whole file under a temporary name beside it and renames it. Throws std::runtime_error with path and reason.
+/// Writes a whole file under a temporary name beside it and renames it. Throws std::runtime_error with path and reason;
+/// what stood there before is then untouched.
 void write_atomically(const std::string& path, const std::string& content);
 
 /// Whole file as bytes. Throws std::runtime_error with path and reason.
@@ -21,7 +22,8 @@ class LineLog {
   LineLog(std::string path, const std::string& header);
   LineLog(std::string path, std::uint64_t keep);
 
-  /// Appends complete lines (ending in a newline) at once.
+  /// Appends complete lines (ending in a newline) at once. Throws std::runtime_error with path and reason, and then
+  /// none of them is in the file.
   void append(const std::string& lines);
   std::uint64_t bytes() const { return bytes_; }
 
@@ -30,12 +32,14 @@ class LineLog {
   std::uint64_t bytes_ = 0;
 };
 
-/// Columns of a CSV file by name, as text. Throws std::runtime_error if it cannot be read.
+/// A CSV file with a header line. Cells are text, quotes taken off.
 struct CsvTable {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
+  /// Throws std::runtime_error if there is no such column or a cell of it is missing or not a number.
   std::vector<double> column(const std::string& name) const;
 };
+/// Throws std::runtime_error with path and reason if the file cannot be read.
 CsvTable read_csv(const std::string& path);
 
 }  // namespace cleft::scene
