@@ -119,6 +119,23 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
   }
 }
 
+TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOneAfterAReversal) {
+  const auto step = [&](double along, double deep) {
+    s.look(s.shift({along, -deep}));
+    std::vector<double> work;
+    for (std::size_t p = 0; p < s.pairs.size(); ++p)
+      work.push_back(
+          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation);
+    s.commit();
+    return work;
+  };
+  step(0.05, kDeep);
+  const auto harder = step(0.08, 3 * kDeep);  // strength grows threefold, and with it the elastic part of the gap
+  each([&](std::size_t p) { EXPECT_NEAR(harder[p], 2 * kStrength * (0.03 - 2 * kElastic), 1e-12); });
+  const auto back = step(0.05, 3 * kDeep);
+  each([&](std::size_t p) { EXPECT_NEAR(back[p], 3 * kStrength * (0.03 - 6 * kElastic), 1e-12); });
+}
+
 TEST_P(History, DissipationIsNeverNegativeToAndFro) {
   double place = 0.0, total = 0.0;
   for (int k = 0; k < 60; ++k) {

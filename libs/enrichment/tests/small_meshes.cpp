@@ -86,13 +86,15 @@ TEST(SmallMesh, ACrackFromNodeToNodeEnrichesEveryNodeOfTheElementsThatItCuts) {
 }
 
 TEST(SmallMesh, FaceEndsAtMouthsAreFreeAndThoseOfTipsAreNot) {
-  const Small through({{0.0, 0.4}, {2.0, 0.4}}), inner({{2.0, 1.6}, {0.8, 1.6}});
+  const Small through({{0.0, 0.4}, {2.0, 0.4}}), inner({{2.0, 1.6}, {0.8, 1.6}}), from_tip({{0.8, 1.6}, {2.0, 1.6}});
   const auto last = [](const Small& body) { return static_cast<Index>(body.cut.segments.size()) - 1; };
   for (const Side side : {Side::Left, Side::Right}) {
     EXPECT_TRUE(through.faces[face_of(0, side)].free_start);
     EXPECT_TRUE(through.faces[face_of(last(through), side)].free_end);
     EXPECT_TRUE(inner.faces[face_of(0, side)].free_start);
     EXPECT_FALSE(inner.faces[face_of(last(inner), side)].free_end);
+    EXPECT_FALSE(from_tip.faces[face_of(0, side)].free_start);
+    EXPECT_TRUE(from_tip.faces[face_of(last(from_tip), side)].free_end);
     for (Index s = 0; s <= last(through); ++s) {
       const auto& face = through.faces[face_of(s, side)];
       EXPECT_EQ(face.free_start, s == 0);
