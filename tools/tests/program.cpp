@@ -46,6 +46,20 @@ TEST(Program, RunsAScene) {
   EXPECT_NE(o.text.find("imbalance"), std::string::npos) << "the energy balance is printed";
 }
 
+TEST(Program, ReplacesItsOwnResultsAndLeavesOtherFilesAlone) {
+  const std::string out = fresh("foreign");
+  std::filesystem::create_directories(out);
+  for (const char* file : {"crack_my.csv", "fields_0007.vtu", "notes.txt"}) std::ofstream(out + "/" + file) << "keep";
+  const std::string run = "run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out;
+  ASSERT_EQ(call(run + " --set 'loading.outputs=[0.25,0.5,1.0]'").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(out + "/fields_0002.vtu"));
+  ASSERT_EQ(call(run + " --set 'loading.outputs=[1.0]' --set crack.main.name=other").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/fields_0002.vtu")) << "of the earlier run";
+  EXPECT_FALSE(std::filesystem::exists(out + "/crack_main.csv")) << "of the earlier run";
+  for (const char* file : {"crack_my.csv", "fields_0007.vtu", "notes.txt"})
+    EXPECT_EQ(scene::read_bytes(out + "/" + file), "keep") << file;
+}
+
 TEST(Program, CheckSaysWhatASceneSwitchesOn) {
   const Outcome plain = call("check " + kScenes + "plain.toml");
   EXPECT_EQ(plain.code, 0);

@@ -52,15 +52,22 @@ Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
   return c;
 }
 
-// Files of an earlier run in the same folder that this one might not replace.
+// Removes what an earlier run left in the folder and this one might not replace: exactly the files that its checkpoint
+// lists. Whatever else lies there is not ours.
 void remove_results(const std::string& directory) {
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    const bool ours = name == "checkpoint" || name == "run.json" ||
-                      (name.starts_with("fields_") && name.ends_with(".vtu")) ||
-                      (name.starts_with("crack_") && name.ends_with(".csv"));
-    if (ours && entry.is_regular_file()) std::filesystem::remove(entry.path());
+  const std::string checkpoint = directory + "/checkpoint";
+  if (!std::filesystem::exists(checkpoint)) return;
+  Checkpoint earlier;
+  try {
+    earlier = checkpoint_from(read_bytes(checkpoint), checkpoint);
+  } catch (const std::runtime_error&) {
+    return;  // not a checkpoint of ours: nothing is known of the files beside it
   }
+  const auto remove = [&](const std::string& name) { std::filesystem::remove(directory + "/" + name); };
+  for (const auto& [name, bytes] : earlier.log_bytes) remove(name);
+  for (const auto& output : earlier.outputs) remove(output.file);
+  remove("run.json");
+  remove("checkpoint");
 }
 
 struct Seconds {

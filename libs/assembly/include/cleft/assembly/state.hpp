@@ -12,8 +12,9 @@ struct Energies {
   double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
   double friction_dissipation = 0.0;  ///< cumulative
   double external_work = 0.0;         ///< cumulative
-  /// What the other entries leave unexplained. It falls with the size of the increments without contact; while faces
-  /// slide a part of it, below 0.5 % of the work on the block, does not.
+  /// What the other entries leave unexplained. Without friction it falls with the size of the increments. With friction a
+  /// part stays: the tangential tractions act at the point and at its partner, a penetration apart, and this couple works
+  /// when the faces turn. That part falls with the penetration, as one over the penalty.
   double imbalance() const { return external_work - elastic - contact - friction_dissipation; }
 };
 
