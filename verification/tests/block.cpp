@@ -25,9 +25,8 @@ TEST_P(Block, ReachesFullLoadWithoutAFailedIncrementInFewIterations) {
   EXPECT_EQ(run.result.cuts, 0);
   EXPECT_LE(run.result.iterations, 4 * run.result.increments);
   EXPECT_GT(run.result.newton_order, 1.5);
-  // what the trapezoidal sums of work and friction leave, largest in the first increment and where points open and
-  // close
-  EXPECT_LT(std::fabs(run.result.energies.imbalance()), 0.005 * run.result.energies.external_work);
+  // what the trapezoidal sums of work and friction leave at 50 increments
+  EXPECT_LT(std::fabs(run.result.energies.imbalance()), 0.002 * run.result.energies.external_work);
 #ifndef __SANITIZE_ADDRESS__
   EXPECT_LT(run.result.peak_megabytes, 300.0);
 #endif

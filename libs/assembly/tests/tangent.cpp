@@ -94,7 +94,6 @@ TEST(LoadStepper, ReachesFullLoadOnTheBlockWithTheReactionsOfAnIndependentProtot
   EXPECT_NEAR(fy_half, -15.211e6, 0.01 * 15.211e6);
   EXPECT_NEAR(stepper.reactions()[1].x(), -2.124e6, 0.03 * 2.124e6);
   EXPECT_NEAR(stepper.reactions()[1].y(), -31.29e6, 0.03 * 31.29e6);
-  EXPECT_LT(std::fabs(stepper.state().energies.imbalance()), 0.005 * stepper.state().energies.external_work);
 }
 
 TEST(LoadStepper, BottomAndTopReactionsBalance) {

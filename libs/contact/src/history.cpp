@@ -28,29 +28,59 @@ Place walk(const Surfaces& surfaces, const FacePositions& at, Index from, const 
   }
 }
 
+double stored(double normal, double tangential, const Law& law) {
+  return 0.5 * (normal * normal / law.normal_penalty + tangential * tangential / law.tangential_penalty);
+}
+
+double mean(double a, double b) { return 0.5 * (a + b); }
+
 }  // namespace
 
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
-  const Traction& traction = pair.state.traction;
-  if (pair.partner_face == kNone || traction.status == Status::Open) return {{kNone, 0.0, memory.slip, 0.0}, 0.0};
-  if (memory.anchor_face == kNone) return {{pair.partner_face, pair.state.partner, memory.slip, 0.0}, 0.0};
-  if (traction.status == Status::Stick) {
-    Memory kept = memory;
-    kept.tangential = traction.tangential;
-    return {kept, 0.0};
-  }
   const Point& point = surfaces.points[p];
   const Law& law = surfaces.laws[surfaces.faces[point.face].crack];
-  const Vec2 along = at.end[point.face] - at.start[point.face];
-  const Vec2 y = at.start[point.face] + point.eta * along;
-  const double target = traction.tangential / law.tangential_penalty;
-  const Place anchor = walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
-  const double moved = target - pair.state.tangential_gap;
-  // While the point slides on in one sense its traction goes over from the last value to this one; after a reversal it
-  // unloads elastically first.
-  const bool onward = memory.tangential * traction.tangential >= 0.0;
-  const double mean = onward ? 0.5 * (memory.tangential + traction.tangential) : traction.tangential;
-  return {{anchor.face, anchor.place, memory.slip + std::fabs(moved), traction.tangential}, std::fabs(mean * moved)};
+  const PairState& now = pair.state;
+  const double tn = now.traction.normal, tt = now.traction.tangential;
+
+  if (pair.partner_face == kNone || now.ramp == 0.0) {
+    Memory gone;
+    gone.slip = memory.slip;
+    gone.ramp = 0.0;
+    return {gone, memory.ramp * stored(memory.normal, memory.tangential, law)};
+  }
+  Memory next = memory;
+  next.normal = tn;
+  next.tangential = tt;
+  next.ramp = now.ramp;
+  next.slope = now.slope;
+  if (now.traction.status == Status::Open) {
+    next.anchor_face = kNone;
+    next.anchor_place = 0.0;
+    return {next, 0.0};
+  }
+  double work = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
+  if (memory.anchor_face == kNone) {
+    next.anchor_face = pair.partner_face;
+    next.anchor_place = now.partner;
+    return {next, work};
+  }
+  const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
+  work += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) * slide;
+  if (now.traction.status == Status::Slip) {
+    const Vec2 along = at.end[point.face] - at.start[point.face];
+    const Vec2 y = at.start[point.face] + point.eta * along;
+    const double target = tt / law.tangential_penalty;
+    const Place anchor = walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
+    const double moved = std::fabs(now.tangential_gap - target);
+    // While the point slides on in one sense its traction goes over from the last value to this one; after a reversal
+    // it unloads elastically first.
+    const bool onward = memory.tangential * tt >= 0.0;
+    work += mean(memory.ramp, now.ramp) * std::fabs(onward ? mean(memory.tangential, tt) : tt) * moved;
+    next.anchor_face = anchor.face;
+    next.anchor_place = anchor.place;
+    next.slip += moved;
+  }
+  return {next, work};
 }
 
 }  // namespace cleft::contact

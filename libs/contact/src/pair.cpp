@@ -37,6 +37,7 @@ PairState evaluate(const PairPoints& p, const PairConstants& c) {
   PairState s;
   s.stretch_length = f.length;
   s.partner = (f.y - p.positive_start).dot(f.t) / e.dot(f.t);
+  s.slope = e.dot(f.n) / e.dot(f.t);
   const Vec2 partner = p.positive_start + s.partner * e;
   s.normal_gap = (partner - f.y).dot(f.n);
   if (c.anchored) s.tangential_gap = (p.anchor - f.y).dot(f.t);
@@ -77,6 +78,9 @@ PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s)
 
   Vec2 t0 = tn * f.n + tt * f.t;
   Rows d_t0 = f.n * d_tn + f.t * d_tt + (tt * f.n - tn * f.t) * spin;
+  double couple = tt * s.normal_gap;
+  Row d_couple = s.normal_gap * d_tt + tt * d_normal_gap;
+  const Row d_length = f.t.transpose() * d_along;
   if (s.ramp < 1.0) {
     // covered = (constant share) - overrun / (share width * length), overrun = -mouth (y - x_E) . t
     const Vec2 past = f.y - p.mouth;
@@ -84,11 +88,12 @@ PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s)
     for (int i = 0; i < 2; ++i) d_overrun(10 + i) -= f.t(i);
     d_overrun *= -c.mouth;
     const double overrun = -c.mouth * past.dot(f.t);
-    const Row d_length = f.t.transpose() * d_along;
     const double width = (c.share_end - c.share_begin) * f.length;
     const Row d_ramp = -(d_overrun - (overrun / f.length) * d_length) / width;
     d_t0 = s.ramp * d_t0 + t0 * d_ramp;
     t0 *= s.ramp;
+    d_couple = s.ramp * d_couple + couple * d_ramp;
+    couple *= s.ramp;
   }
 
   const std::array<double, 4> weight{-(1.0 - c.eta), -c.eta, 1.0 - s.partner, s.partner};
@@ -99,6 +104,13 @@ PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s)
   }
   out.tangent.middleRows<2>(4) -= c.weight * t0 * d_xi;
   out.tangent.middleRows<2>(6) += c.weight * t0 * d_xi;
+
+  const Vec2 pair_of_forces = couple / f.length * f.n;
+  const Rows d_pair_of_forces = (f.n * d_couple - couple * f.t * spin - couple / f.length * f.n * d_length) / f.length;
+  out.force.segment<2>(0) -= c.weight * pair_of_forces;
+  out.force.segment<2>(2) += c.weight * pair_of_forces;
+  out.tangent.middleRows<2>(0) -= c.weight * d_pair_of_forces;
+  out.tangent.middleRows<2>(2) += c.weight * d_pair_of_forces;
   return out;
 }
 

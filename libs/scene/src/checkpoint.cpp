@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 1\n";
+constexpr char kMagic[] = "cleft checkpoint 2\n";
 
 struct Writer {
   std::string out;
@@ -72,7 +72,10 @@ void pass(Io& io, Checkpoint& c) {
     io(m.anchor_face);
     io(m.anchor_place);
     io(m.slip);
+    io(m.normal);
     io(m.tangential);
+    io(m.ramp);
+    io(m.slope);
   });
   io(s.deepest);
   io(s.energies);

@@ -10,11 +10,9 @@ namespace cleft::assembly {
 struct Energies {
   double elastic = 0.0;
   double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
-  double friction_dissipation = 0.0;  ///< cumulative
+  double friction_dissipation = 0.0;  ///< cumulative work of the contact tractions that is not stored
   double external_work = 0.0;         ///< cumulative
-  /// What the other entries leave unexplained. Without friction it falls with the size of the increments. With friction a
-  /// part stays: the tangential tractions act at the point and at its partner, a penetration apart, and this couple works
-  /// when the faces turn. That part falls with the penetration, as one over the penalty.
+  /// What the other entries leave unexplained; falls with the size of the increments.
   double imbalance() const { return external_work - elastic - contact - friction_dissipation; }
 };
 

@@ -6,15 +6,24 @@
 
 namespace cleft::contact {
 
-/// Slip and work of one increment at one point.
+/// Memory and work of one increment at one point.
 struct Advance {
   Memory memory;
-  double dissipation = 0.0;  ///< work of friction per unit reference area, J/m^2, not negative
+  double dissipation = 0.0;  ///< work of the contact tractions that is not stored, per unit reference area, J/m^2
 };
 
 /// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| = mu |t_N|, so that the next
 /// increment starts from the traction just reached; a point that touches for the first time is anchored at its partner;
 /// an open one forgets its anchor.
+///
+/// What is not stored, with the ramp w, the slide ds of the partner along t, its part ds_p beyond the elastic one and
+/// the slope r = (e . n) / (e . t) of the partner's segment e against the point's own:
+///
+///     w t_T ds_p            friction
+///     w t_N r ds            the pressure, where the faces are not parallel and the partner climbs or descends
+///     -psi dw               springs that lose their partner at a mouth, psi = t_N^2/(2 eps_N) + t_T^2/(2 eps_T)
+///
+/// by the trapezoidal rule over the increment.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
 
 }  // namespace cleft::contact

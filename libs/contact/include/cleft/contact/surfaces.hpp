@@ -26,8 +26,11 @@ struct Point {
 struct Memory {
   Index anchor_face = kNone;  ///< kNone: no anchor
   double anchor_place = 0.0;
-  double slip = 0.0;        ///< cumulative, metres
-  double tangential = 0.0;  ///< t_T of the last converged increment, Pa
+  double slip = 0.0;  ///< cumulative, metres
+  // Of the last converged increment, for the work of the next one:
+  double normal = 0.0, tangential = 0.0;  ///< t_N and t_T, Pa
+  double ramp = 1.0;                      ///< PairState::ramp, 0 without a partner
+  double slope = 0.0;                     ///< PairState::slope
 };
 
 /// Everything about contact that does not change during an increment.
