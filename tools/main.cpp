@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <new>
 
 #include "cleft/support/error.hpp"
 #include "verbs.hpp"
@@ -11,6 +12,7 @@ namespace {
 int dispatch(int argc, char** argv) {
   CLI::App app{"cleft: frictional cracks in solids at large deformation"};
   app.name("cleft");
+  app.set_version_flag("--version", CLEFT_VERSION);
   app.require_subcommand(1);
   int result = kDone;
   add_run(app, result);
@@ -22,6 +24,9 @@ int dispatch(int argc, char** argv) {
   } catch (const InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "cleft: not enough memory; try a coarser mesh\n");
+    return kFailed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "cleft: {}\n", error.what());
     return kBadInput;

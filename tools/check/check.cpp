@@ -39,6 +39,7 @@ int check(const Options& options) {
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
+  for (const auto& note : scene::remarks(scene, model)) print("note", note);
   const bool contact = model.has_contact();
   print("kinematics", "finite");
   print("material", scene.material.model);

@@ -66,6 +66,7 @@ int solve(const Options& options) {
   spdlog::set_pattern("%T %^%l%$  %v");
   const bool live = isatty(STDERR_FILENO) != 0;
   run.observer = [live](const scene::Progress& p) { show(p, live); };
+  run.remark = [](const std::string& text) { spdlog::info("note: {}", text); };
   run.stop = &interrupted;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -75,6 +76,8 @@ int solve(const Options& options) {
   if (result.end == scene::RunResult::End::Done) return kDone;
   if (result.end == scene::RunResult::End::Stopped)
     spdlog::warn("interrupted at load {:.6g}; go on with --resume", result.load);
+  else if (result.end == scene::RunResult::End::NotWritten)
+    spdlog::error("stopped at load {:.6g}: {}; mend that and go on with --resume", result.load, result.unwritten);
   else
     spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure),
                   result.failure.advice);

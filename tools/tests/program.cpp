@@ -1,6 +1,8 @@
 // The program as a user meets it: exit codes, messages, nothing written on bad input, resuming after a kill.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,8 +24,9 @@ struct Outcome {
   std::string text;  // of both streams
 };
 
-Outcome call(const std::string& arguments) {
-  FILE* pipe = popen((std::string(CLEFT_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+// `before` is run by the shell ahead of the program.
+Outcome call(const std::string& arguments, const std::string& before = "") {
+  FILE* pipe = popen((before + std::string(CLEFT_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
   std::string text;
   char buffer[4096];
   while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
@@ -92,6 +95,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"wrong_type", "--set material.young=true", "material.young: not a number"},
                     Bad{"poisson_low", "--set material.poisson=-1.0", "allowed: greater than -1 and less than 0.5"},
                     Bad{"poisson_high", "--set material.poisson=0.5", "allowed: greater than -1 and less than 0.5"},
+                    Bad{"syntax", "--set 'mesh.cells=[3'", "mesh.cells: not valid TOML"},
+                    Bad{"too_many_cells", "--set 'mesh.cells=[20000,20000]'", "too many cells; allowed: at most 1e7"},
+                    Bad{"no_center", "--set boundary.top.rotation.degrees=3", "boundary[1].rotation.center: missing"},
                     Bad{"empty_mesh", "--set mesh.cells=[0,4]", "mesh.cells"},
                     Bad{"empty_box", "--set mesh.box=[0,0,0,1]", "the box is empty"},
                     Bad{"crack_outside", "--set crack.main.points=[[1,1],[2,2]]",
@@ -124,6 +130,61 @@ TEST(Program, AFailedSolutionKeepsWhatConvergedAndSaysWhy) {
   EXPECT_NE(o.text.find("failed at load"), std::string::npos) << o.text;
   EXPECT_NE(o.text.find("; try "), std::string::npos) << o.text;
   EXPECT_TRUE(std::filesystem::exists(out + "/history.csv"));
+}
+
+TEST(Program, LeavesAFolderToTheRunThatWritesToIt) {
+  const std::string out = fresh("locked");
+  std::filesystem::create_directories(out);
+  const int folder = open(out.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(flock(folder, LOCK_EX), 0);
+  const std::string run = "run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out;
+  const Outcome refused = call(run);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.text.find("another run is writing to this folder"), std::string::npos) << refused.text;
+  EXPECT_TRUE(std::filesystem::is_empty(out));
+  close(folder);
+  EXPECT_EQ(call(run).code, 0);
+}
+
+TEST(Program, NothingIsLeftWhereThereIsNothingToResume) {
+  const std::string out = fresh("nothing_to_resume");
+  const Outcome o = call("run " + kScenes + "block.toml --resume -o " + out);
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.text.find(out + "/checkpoint: cannot be read"), std::string::npos) << o.text;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Program, AFullDiskEndsTheRunWithAllThatFittedAndTheRestCanBeResumed) {
+  const std::string whole = fresh("disk_whole"), full = fresh("disk_full");
+  const std::string run = "run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o ";
+  ASSERT_EQ(call(run + whole).code, 0);
+  // no file may grow beyond 20 kB: more than a checkpoint, less than a field file
+  const Outcome o = call(run + full, "trap '' XFSZ; ulimit -f 40; ");
+  EXPECT_EQ(o.code, 3) << o.text;
+  EXPECT_NE(o.text.find("cannot be written: File too large; mend that and go on with --resume"), std::string::npos)
+      << o.text;
+  const std::size_t rows = scene::read_csv(full + "/history.csv").rows.size();
+  EXPECT_GT(rows, 5u);
+  EXPECT_LT(rows, scene::read_csv(whole + "/history.csv").rows.size());
+  ASSERT_EQ(call(run + full + " --resume").code, 0);
+  for (const char* file : {"history.csv", "crack_main.csv"})
+    EXPECT_EQ(scene::read_bytes(full + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+}
+
+TEST(Program, SaysWhatMaySurprise) {
+  const Outcome o =
+      call("check " + kScenes + "block.toml --set crack.main.friction=0 --set " +
+           "crack.main.contact.normal_penalty=4e14 --set 'crack.main.points=[[-0.001,0.02],[0.0207,0.0417]]'");
+  for (const char* note : {"the tip (0.0207, 0.0417) lies inside an element", "the point (-0.001, 0.02) lies outside",
+                           "slides without friction", "the normal penalty is 100 times E/h"})
+    EXPECT_NE(o.text.find(note), std::string::npos) << note << "\n" << o.text;
+  EXPECT_EQ(call("check " + kScenes + "plain.toml").text.find("note"), std::string::npos);
+}
+
+TEST(Program, TellsItsVersion) {
+  const Outcome o = call("--version");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(o.text[0]))) << o.text;
 }
 
 // Kills the program at several moments and resumes it until it is done.

@@ -156,7 +156,8 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement) {
   const char* side = cell.cut == kNone ? "" : cell.side == geometry::Side::Left ? ", left side" : ", right side";
   return Failure{FailureKind::Inverted,
                  fmt::format("element {} at ({:.6g}, {:.6g}){}", cell.element, centre.x(), centre.y(), side),
-                 "smaller increments (loading.steps), or a finer mesh there"};
+                 model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
+                                      : "smaller increments (loading.steps), or a finer mesh there"};
 }
 
 void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {

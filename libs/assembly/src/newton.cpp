@@ -187,7 +187,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (!finite || !lost.empty()) {
       out.failure =
           Failure{regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
-                  "are all parts of the body held? prescribe more components, or bring the parts into contact"};
+                  "prescribing more components, or bringing the parts into contact (is every part of the body held?)"};
       return out;
     }
     u += du;

@@ -70,7 +70,9 @@ void apply(Document& document, const std::string& text) {
   toml::table parsed;
   try {
     parsed = toml::parse("v = " + value);
-  } catch (const toml::parse_error&) {
+  } catch (const toml::parse_error& error) {
+    if (value.find_first_of("[{\"'") == 0)
+      throw InputError(here, key, "not valid TOML: " + std::string(error.description()));
     try {
       parsed = toml::parse("v = '" + value + "'");
     } catch (const toml::parse_error&) {

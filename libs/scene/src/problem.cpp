@@ -41,18 +41,13 @@ void set_up_contact(const Scene& scene, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.search_radius = scene.solver.search_radius;
-  std::vector<double> size(scene.cracks.size(), 0.0);
-  std::vector<int> count(scene.cracks.size(), 0);
-  for (const auto& element : m.cut.elements) {
-    size[element.crack] += element_size(m.mesh, element.element);
-    ++count[element.crack];
+  for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
-  }
+  const auto scale = penalty_scale(scene, m);
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    const double stiffness = scene.material.young * count[k] / size[k];
     const auto& spec = scene.cracks[k];
     s.laws.push_back(
-        {spec.normal_penalty.value_or(stiffness), spec.tangential_penalty.value_or(stiffness), spec.friction});
+        {spec.normal_penalty.value_or(scale[k]), spec.tangential_penalty.value_or(scale[k]), spec.friction});
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
@@ -139,6 +134,17 @@ std::function<Vec2(const Vec2&)> source_of(const Field& field, const assembly::M
 }
 
 }  // namespace
+
+std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model) {
+  std::vector<double> size(scene.cracks.size(), 0.0);
+  std::vector<int> count(scene.cracks.size(), 0);
+  for (const auto& element : model.cut.elements) {
+    size[element.crack] += element_size(model.mesh, element.element);
+    ++count[element.crack];
+  }
+  for (std::size_t k = 0; k < size.size(); ++k) size[k] = scene.material.young * count[k] / size[k];
+  return size;
+}
 
 assembly::Model build_model(const Scene& scene) {
   assembly::Model m;

@@ -26,6 +26,8 @@ MeshSpec read_mesh(const Section& s) {
       s.fail("cells", "the mesh has no such number of cells; allowed: integers from 1 to 20000");
     out.cells[k] = static_cast<int>(cells[k]);
   }
+  constexpr double kMostCells = 1e7;
+  if (cells[0] * cells[1] > kMostCells) s.fail("cells", "too many cells; allowed: at most 1e7 in all");
   if (s.has("diagonal")) {
     const auto d = s.choice("diagonal", {"right", "left", "alternating"});
     out.diagonal = d == "right"  ? geometry::Diagonal::Right
@@ -127,7 +129,7 @@ BoundarySpec read_boundary(const Section& s, int& boxes) {
   }
   if (s.has("field")) out.field = s.field("field");
   if (const auto r = s.section("rotation", "boundary.rotation"))
-    out.rotation = {r->has("center") ? r->point("center") : Vec2::Zero(), r->number("degrees"), r->amplitude()};
+    out.rotation = {r->point("center"), r->number("degrees"), r->amplitude()};
   const int kinds = (out.ux || out.uy) + out.affine.has_value() + out.field.has_value();
   if (kinds > 1)
     s.fail(out.affine ? "affine" : "field", "contradicts the rest; allowed: one of (ux, uy), affine, field");

@@ -11,6 +11,7 @@
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/support/timer.hpp"
+#include "folder.hpp"
 #include "results.hpp"
 
 namespace cleft::scene {
@@ -27,15 +28,20 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// Order of the last three residuals above rounding: log(r2/r3) / log(r1/r2); 0 where there are no three.
+// Order of the last three residuals above rounding, log(r2/r3) / log(r1/r2), if no contact point has changed its state
+// between them and the first of the two steps gained at least a digit; else 0: there is no telling.
 double order_of(const assembly::Step& step) {
   std::vector<double> r;
-  for (const auto& i : step.iterations) r.push_back(i.residual);
+  std::size_t settled = 0;  // the first residual after the last change of state
+  for (const auto& i : step.iterations) {
+    if (i.partner_changes + i.status_changes > 0) settled = r.size();
+    r.push_back(i.residual);
+  }
   r.push_back(step.final_residual);
-  while (!r.empty() && r.back() <= step.rounding) r.pop_back();
-  if (r.size() < 3) return 0.0;
+  while (!r.empty() && r.back() <= 10.0 * step.rounding) r.pop_back();
+  if (r.size() < settled + 3) return 0.0;
   const double a = r[r.size() - 3], b = r[r.size() - 2], c = r.back();
-  return c > 0.0 && b > 0.0 && b < a ? std::log(b / c) / std::log(a / b) : 0.0;
+  return b < 0.1 * a ? std::log(b / c) / std::log(a / b) : 0.0;
 }
 
 double median(std::vector<double> v) {
@@ -79,7 +85,7 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
   const auto& model = stepper.model();
   const auto& assembly = stepper.assembler().seconds();
   const auto& solver = stepper.solver().seconds();
-  const char* const ends[] = {"done", "failed", "stopped"};
+  const char* const ends[] = {"done", "failed", "stopped", "not written"};
   nlohmann::ordered_json j;
   j["cleft"] = CLEFT_VERSION;
   j["end"] = ends[static_cast<int>(result.end)];
@@ -116,6 +122,7 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
                   {"energy", e.energy},
                   {"energy_relative", e.energy / e.energy_exact}};
   }
+  j["remarks"] = remarks(scene, model);
   j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
   return j;
 }
@@ -132,15 +139,17 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     const PhaseTimer timer(seconds.cut);
     model = build_model(scene);
   }
-  std::filesystem::create_directories(options.directory);
   const std::string checkpoint_path = options.directory + "/checkpoint";
   Checkpoint kept;
   if (options.resume) kept = read_checkpoint(scene, checkpoint_path);
-
+  const Folder folder(options.directory);
   if (!options.resume) remove_results(options.directory);
   assembly::LoadStepper stepper(model, step_controls(scene));
   Results results(model, options.directory, options.resume ? &kept : nullptr);
   if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
+
+  if (options.remark)
+    for (const auto& note : remarks(scene, model)) options.remark(note);
 
   RunResult result;
   result.increments = kept.place.number;
@@ -186,7 +195,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
           return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
         }));
-    {
+    try {
       const PhaseTimer timer(seconds.write);
       results.add_step(step, stepper);
       const auto& wanted = scene.loading.outputs;
@@ -198,6 +207,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
                      result.iterations,   result.cuts,      result.worst_residual, kept.seconds + clock.seconds(),
                      results.log_bytes(), results.outputs()};
       write_atomically(checkpoint_path, to_bytes(now));
+    } catch (const std::runtime_error& error) {
+      result.end = RunResult::End::NotWritten;
+      result.unwritten = error.what();
+      break;
     }
     tell(0, step.final_residual);
   }
@@ -218,7 +231,12 @@ RunResult run(const Scene& scene, const RunOptions& options) {
         1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));
   result.peak_megabytes = peak_megabytes();
   result.seconds = clock.seconds();
-  write_atomically(results.path("run.json"), summary(scene, stepper, result, seconds).dump(2) + "\n");
+  try {
+    write_atomically(results.path("run.json"), summary(scene, stepper, result, seconds).dump(2) + "\n");
+  } catch (const std::runtime_error& error) {
+    result.end = RunResult::End::NotWritten;
+    result.unwritten = error.what();
+  }
   return result;
 }
 

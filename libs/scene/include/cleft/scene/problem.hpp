@@ -12,6 +12,14 @@ namespace cleft::scene {
 /// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
 assembly::Model build_model(const Scene& scene);
 
+/// Young's modulus over the mean size of the elements that each crack cuts, Pa/m: the default of both penalties.
+std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model);
+
+/// What is allowed but may surprise, one line each: ends of cracks that were moved, no friction, penalties so stiff
+/// that the pressure oscillates (on the block with 16 x 32 cells its total variation grows fourfold at ten times E/h
+/// and the iteration fails at fifty), displacements that are not zero at load 0.
+std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model);
+
 assembly::StepControls step_controls(const Scene& scene);
 
 /// Norms of the error against an exact solution, and of that solution itself: L2 of the displacement (m^2), and the

@@ -27,13 +27,15 @@ struct RunOptions {
   std::string directory;
   bool resume = false;
   int threads = 1;
+  std::function<void(const std::string&)> remark;  ///< hears the remarks on the scene before the first increment
   std::function<void(const Progress&)> observer;
   const std::atomic<bool>* stop = nullptr;  ///< set to end the run after the increment under way
 };
 
 struct RunResult {
-  enum class End { Done, Failed, Stopped } end = End::Done;
-  assembly::Failure failure;
+  enum class End { Done, Failed, Stopped, NotWritten } end = End::Done;
+  assembly::Failure failure;  ///< with End::Failed
+  std::string unwritten;      ///< with End::NotWritten: path and reason
   double load = 0.0;
   long increments = 0, iterations = 0, cuts = 0;
   double worst_residual = 0.0;
@@ -47,7 +49,8 @@ struct RunResult {
 };
 
 /// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad
-/// scene, std::runtime_error where files cannot be written or a checkpoint does not fit.
+/// scene, std::runtime_error where the folder cannot be used or a checkpoint does not fit. A file that cannot be
+/// written later ends the run after what its last checkpoint holds.
 RunResult run(const Scene& scene, const RunOptions& options);
 
 }  // namespace cleft::scene

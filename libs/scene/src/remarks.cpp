@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+
+#include "cleft/scene/problem.hpp"
+
+namespace cleft::scene {
+namespace {
+
+constexpr double kStiff = 20.0;  // times E/h: measured on the block, see remarks() in problem.hpp
+
+std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
+
+void about_end(const std::string& crack, const geometry::CrackEnd& end, std::vector<std::string>& out) {
+  if (end.nominal == end.effective) return;
+  if (end.kind == geometry::CrackEnd::Kind::Tip)
+    out.push_back(fmt::format("{}: the tip {} lies inside an element; the cut ends on its edge at {}", crack,
+                              at(end.nominal), at(end.effective)));
+  else
+    out.push_back(fmt::format("{}: the point {} lies outside of the body; the cut ends at the boundary, at {}", crack,
+                              at(end.nominal), at(end.effective)));
+}
+
+}  // namespace
+
+std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model) {
+  std::vector<std::string> out;
+  const auto scale = penalty_scale(scene, model);
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
+    const std::string crack = "crack '" + scene.cracks[k].name + "'";
+    for (const auto& end : model.cut.cracks[k].ends) about_end(crack, end, out);
+    const auto& law = model.surfaces.laws[k];
+    if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
+    if (law.normal_penalty > kStiff * scale[k])
+      out.push_back(fmt::format("{}: the normal penalty is {:.3g} times E/h ({:.4g} Pa/m); expect an oscillating contact "
+                                "pressure, and smaller increments",
+                                crack, law.normal_penalty / scale[k], scale[k]));
+  }
+  for (const auto& b : scene.boundaries)
+    if (b.ux || b.uy || b.affine || b.field) {
+      const double factor = b.amplitude(0.0);
+      const bool moves = b.affine || b.field || b.ux.value_or(0.0) != 0.0 || b.uy.value_or(0.0) != 0.0;
+      if (factor != 0.0 && moves)
+        out.push_back(fmt::format("boundary '{}': its factor is {} already at load 0; the first increment takes it whole",
+                                  b.name, factor));
+    }
+  return out;
+}
+
+}  // namespace cleft::scene
