@@ -137,7 +137,7 @@ TEST(SceneHash, ChangesWithEveryKeyThatTheSolutionDependsOn) {
                              "crack.main.contact.tangential_penalty=1e12",
                              "boundary.top.ux=0.0",
                              "boundary.top.amplitude=[[0, 0], [0.5, 1]]",
-                             "boundary.top.rotation={degrees=1}",
+                             "boundary.top.rotation={center=[0,0],degrees=1}",
                              "traction.0.value=[2.0, 4.0]",
                              "gravity.density=2701",
                              "loading.steps=7",
