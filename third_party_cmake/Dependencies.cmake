@@ -9,7 +9,8 @@ set(CLEFT_PACKAGES
   "tomlplusplus 3.3"
   "pugixml 1.13"
   "ZLIB"
-  "nlohmann_json 3.11")
+  "nlohmann_json 3.11"
+  "Ceres 2.1")
 
 # SuiteSparse has a find module of ours, beside this file.
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
