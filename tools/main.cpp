@@ -17,6 +17,7 @@ int dispatch(int argc, char** argv) {
   int result = kDone;
   add_run(app, result);
   add_check(app, result);
+  add_converge(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -253,6 +253,11 @@ bool Section::are_integers(std::string_view key) const {
   return array && std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_integer(); });
 }
 
+const toml::array* Section::array(std::string_view key) const {
+  if (!node(key).is_array()) fail(key, "not a list; allowed: an array");
+  return node(key).as_array();
+}
+
 std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {
   const auto* array = node(key).as_array();
   const char* allowed = "an array of pairs of numbers, [[a, b], ...]";

@@ -56,6 +56,8 @@ class Section {
   std::vector<double> numbers(std::string_view key, std::optional<std::size_t> count) const;
   /// Whether all members of an array are integers, as 3 is and 3.0 is not.
   bool are_integers(std::string_view key) const;
+  /// An array of anything, never null.
+  const toml::array* array(std::string_view key) const;
   /// Rows of two numbers.
   std::vector<std::array<double, 2>> pairs(std::string_view key) const;
   Vec2 point(std::string_view key) const;

@@ -25,15 +25,20 @@ const char* name_of(contact::Status status) {
 
 }  // namespace
 
+std::vector<std::string> history_columns(const std::vector<std::string>& boundaries) {
+  std::vector<std::string> columns{"step", "load", "iterations", "cuts"};
+  for (const auto& name : boundaries) columns.insert(columns.end(), {"fx_" + name, "fy_" + name});
+  columns.insert(columns.end(), {"elastic_energy", "contact_energy", "plastic_dissipation", "viscous_dissipation",
+                                 "friction_dissipation", "external_work", "contact_points", "slipping_points",
+                                 "max_slip", "min_gap", "max_pressure", "max_plastic_strain"});
+  return columns;
+}
+
 Results::Results(const assembly::Model& model, std::string directory, const Checkpoint* resumed)
     : model_(model), directory_(std::move(directory)) {
-  std::string history = "step,load,iterations,cuts";
-  for (const auto& p : model.prescribed) history += fmt::format(",fx_{0},fy_{0}", p.name);
-  history +=
-      ",elastic_energy,contact_energy,plastic_dissipation,viscous_dissipation,friction_dissipation,external_work,"
-      "contact_points,"
-      "slipping_points,max_slip,min_gap,max_pressure,max_plastic_strain\n";
-  open("history.csv", history, resumed);
+  std::vector<std::string> boundaries;
+  for (const auto& p : model.prescribed) boundaries.push_back(p.name);
+  open("history.csv", fmt::format("{}\n", fmt::join(history_columns(boundaries), ",")), resumed);
   open(
       "newton.csv",
       "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds\n",

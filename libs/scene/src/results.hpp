@@ -10,6 +10,9 @@
 
 namespace cleft::scene {
 
+/// Columns of history.csv, with two for each named boundary.
+std::vector<std::string> history_columns(const std::vector<std::string>& boundaries);
+
 class Results {
  public:
   /// Starts the files of a fresh run, or goes on with those that a checkpoint speaks of.

@@ -129,6 +129,12 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
 
 }  // namespace
 
+std::vector<std::string> history_columns(const Scene& scene) {
+  std::vector<std::string> boundaries;
+  for (const auto& b : scene.boundaries) boundaries.push_back(b.name);
+  return history_columns(boundaries);
+}
+
 RunResult run(const Scene& scene, const RunOptions& options) {
   set_blas_threads(options.threads);
   double total = 0.0;

@@ -48,6 +48,9 @@ struct RunResult {
   double peak_megabytes = 0.0;
 };
 
+/// The columns of a scene's history.csv.
+std::vector<std::string> history_columns(const Scene& scene);
+
 /// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad
 /// scene, std::runtime_error where the folder cannot be used or a checkpoint does not fit. A file that cannot be
 /// written later ends the run after what its last checkpoint holds.

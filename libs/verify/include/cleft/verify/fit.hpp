@@ -14,20 +14,25 @@ struct FitOptions {
   double most_order = 6.0;
 };
 
-/// The model Q(h) = Q0 + C h^p fitted to results.
+/// The model Q(h) = Q0 + C h^p fitted to results. Uncertainties are half widths of 95 % confidence intervals: standard
+/// deviation out of the covariance at the solution times the quantile of Student's t for the degrees of freedom, so
+/// that few meshes give wide ones. They take what the model leaves for noise; NaN where there are as many parameters as
+/// results.
 struct LimitFit {
-  double limit = 0.0;        ///< Q0
-  double limit_sigma = 0.0;  ///< standard deviation; 0 if the limit was given
-  double factor = 0.0;       ///< C
-  double order = 0.0;        ///< p
-  double order_sigma = 0.0;  ///< standard deviation
-  double scatter = 0.0;      ///< root mean square of what the model leaves, in the unit of Q
-  bool determined = false;   ///< whether the data determine p
-  std::string remark;        ///< why not
+  double limit = 0.0;  ///< Q0
+  double limit_pm = 0.0;
+  double factor = 0.0;  ///< C
+  double order = 0.0;   ///< p
+  double order_pm = 0.0;
+  double scatter = 0.0;     ///< root mean square of what the model leaves, in the unit of Q
+  bool determined = false;  ///< whether the data determine p (and with it a limit that is not given)
+  std::string remark;       ///< why not, or what to know of the uncertainty
 };
 
-/// Fits by least squares with a robust loss. `h` and `value` have equal lengths. Throws std::invalid_argument on fewer
-/// than two points, on h that are not positive or not distinct, or on values that are not finite.
+/// Fits by least squares with a robust loss (Huber's, at 1.5 times the scatter; where there are at least two results
+/// more than parameters). Known limits are fitted in relative error, so that every mesh has its say. `h` and `value`
+/// have equal lengths. Throws std::invalid_argument on fewer than two results, on h that are not positive or not
+/// distinct, or on values that are not finite.
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options = {});
 
 }  // namespace cleft::verify

@@ -1,0 +1,172 @@
+#include "cleft/verify/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <set>
+
+#include "cleft/scene/files.hpp"
+#include "cleft/scene/read.hpp"
+#include "processes.hpp"
+#include "study_files.hpp"
+#include "study_values.hpp"
+
+namespace cleft::verify {
+namespace {
+
+using scene::Quantity;
+
+// One run that is asked for: the scene and how the program is told of it.
+struct Task {
+  scene::Scene scene;
+  std::vector<std::string> overrides;
+};
+
+// A swept text reads better without its quotes.
+std::string label(const std::string& toml) {
+  if (toml.size() > 1 && (toml.front() == '\'' || toml.front() == '"')) return toml.substr(1, toml.size() - 2);
+  return toml;
+}
+
+std::string file_name(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = '_';
+  return text;
+}
+
+// Loads at which the study looks must be hit and written.
+std::string outputs_override(const scene::Study& study, const scene::Scene& s) {
+  std::set<double> loads;
+  if (!s.loading.every_step) loads.insert(s.loading.outputs.begin(), s.loading.outputs.end());
+  for (const auto& q : study.quantities) loads.insert(q.load);
+  return fmt::format("loading.outputs=[{}]", fmt::join(loads, ", "));
+}
+
+Task task_of(const scene::Study& study, const std::string& mesh, const std::string& variant) {
+  Task task;
+  task.overrides = study.set;
+  task.overrides.push_back("mesh.cells=" + mesh);
+  if (!study.sweep_key.empty()) task.overrides.push_back(study.sweep_key + "=" + variant);
+  task.overrides.push_back(outputs_override(study, scene::read_scene(study.scene, task.overrides)));
+  task.scene = scene::read_scene(study.scene, task.overrides);
+  return task;
+}
+
+bool is_done(const std::string& folder) {
+  const std::string path = folder + "/run.json";
+  return std::filesystem::exists(path) && scene::read_bytes(path).find("\"end\": \"done\"") != std::string::npos;
+}
+
+// Runs what is missing. Returns what failed.
+std::vector<std::string> run_all(const scene::Study& study, const StudyOptions& options, const std::vector<Task>& tasks,
+                                 std::vector<StudyRun>& runs) {
+  std::vector<std::size_t> order(tasks.size());  // finest first: the longest run must not start last
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return runs[a].h < runs[b].h; });
+  std::vector<std::string> failed;
+  std::mutex one;
+  for_each_parallel(tasks.size(), options.jobs, [&](std::size_t k) {
+    const std::size_t i = order[k];
+    StudyRun& run = runs[i];
+    run.reused = is_done(run.folder);
+    int code = 0;
+    if (!run.reused) {
+      std::vector<std::string> command{options.program, "run", study.scene, "--output", run.folder};
+      for (const auto& o : tasks[i].overrides) command.insert(command.end(), {"--set", o});
+      if (std::filesystem::exists(run.folder + "/checkpoint")) command.emplace_back("--resume");
+      code = call(command, run.folder + ".log");
+    }
+    const std::lock_guard lock(one);
+    const std::string name = fmt::format("{}{}{}", run.cells, run.variant.empty() ? "" : " ", run.variant);
+    if (code != 0) failed.push_back(fmt::format("{}: exit code {}, see {}.log", name, code, run.folder));
+    if (options.tell)
+      options.tell(fmt::format("{} {}", name, run.reused ? "was there" : code == 0 ? "done" : "FAILED"));
+  });
+  return failed;
+}
+
+Series series_of(const scene::Study& study, std::size_t quantity, const std::vector<StudyRun>& runs,
+                 const std::string& variant) {
+  const Quantity& q = study.quantities[quantity];
+  Series out;
+  out.quantity = quantity;
+  out.variant = variant;
+  std::vector<double> h, value;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].variant != variant || !std::isfinite(runs[i].value[quantity])) continue;
+    out.runs.push_back(i);
+    h.push_back(runs[i].h);
+    value.push_back(runs[i].value[quantity]);
+  }
+  const bool has_limit = q.kind == Quantity::Kind::History;
+  FitOptions options;
+  options.limit = has_limit ? q.exact : std::optional(0.0);
+  if (h.size() < 2) {
+    out.fit.remark = "too few meshes";
+    out.error.assign(h.size(), std::numeric_limits<double>::quiet_NaN());
+    return out;
+  }
+  out.fit = fit_limit(h, value, options);
+  for (const double v : value) out.error.push_back(std::fabs(v - out.fit.limit));
+  if (has_limit && out.fit.limit != 0.0) out.scale = std::fabs(out.fit.limit);
+  return out;
+}
+
+void check_series(const Quantity& q, const Series& s, std::vector<std::string>& missed) {
+  const std::string name = q.name + (s.variant.empty() ? "" : ", " + s.variant);
+  const auto check = [&](const char* what, double value, const auto& within) {
+    if (within && !(value >= (*within)[0] && value <= (*within)[1]))
+      missed.push_back(
+          fmt::format("{}: {} {:.4g} is not within [{}, {}]", name, what, value, (*within)[0], (*within)[1]));
+  };
+  check("order", s.fit.order, q.order_within);
+  check("limit", s.fit.limit, q.limit_within);
+}
+
+}  // namespace
+
+StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
+  StudyResult result;
+  std::vector<Task> tasks;
+  const std::string program = scene::read_bytes(options.program);
+  const std::size_t identity = std::hash<std::string>{}(program)&0xffffffffU;
+  for (const auto& variant : study.variants)
+    for (const auto& mesh : study.meshes) {
+      tasks.push_back(task_of(study, mesh, variant));
+      const auto& s = tasks.back().scene;
+      StudyRun run;
+      run.cells = fmt::format("{}x{}", s.mesh.cells[0], s.mesh.cells[1]);
+      run.variant = label(variant);
+      run.h = (s.mesh.box[2] - s.mesh.box[0]) / s.mesh.cells[0];
+      // named by all that the result depends on: the scene and the program itself
+      run.folder = fmt::format("{}/runs/{}_{}{:08x}", options.directory,
+                               file_name(run.cells + (run.variant.empty() ? "" : "_" + run.variant)),
+                               scene::scene_hash(s), identity);
+      if (!result.runs.empty() && result.runs.back().variant == run.variant && !(run.h < result.runs.back().h))
+        throw InputError({study.file}, "cells", "the meshes must get finer; allowed: coarsest first");
+      result.runs.push_back(run);
+      check_quantities(study, s);
+    }
+  std::filesystem::create_directories(options.directory + "/runs");
+  result.failed = run_all(study, options, tasks, result.runs);
+  if (!result.failed.empty()) return result;
+
+  const std::size_t meshes = study.meshes.size();
+  for (auto& run : result.runs) read_counts(run);
+  for (std::size_t first = 0; first < result.runs.size(); first += meshes)
+    read_values(study, std::span(result.runs).subspan(first, meshes));
+  for (std::size_t k = 0; k < study.quantities.size(); ++k)
+    for (std::size_t v = 0; v < study.variants.size(); ++v) {
+      result.series.push_back(series_of(study, k, result.runs, result.runs[v * meshes].variant));
+      check_series(study.quantities[k], result.series.back(), result.missed);
+    }
+  write_study(study, result, options.directory);
+  return result;
+}
+
+}  // namespace cleft::verify

@@ -1,0 +1,71 @@
+#include "study_files.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "cleft/scene/files.hpp"
+#include "cleft/verify/figure.hpp"
+
+namespace cleft::verify {
+namespace {
+
+// A cell of a CSV row.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string runs_csv(const scene::Study& study, const StudyResult& result) {
+  std::string out =
+      "quantity,variant,cells,h,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,folder\n";
+  for (const auto& s : result.series)
+    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+      const auto& r = result.runs[s.runs[k]];
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     cell(study.quantities[s.quantity].name), cell(s.variant), r.cells, r.h, r.value[s.quantity],
+                     s.error[k], s.error[k] / s.scale, r.seconds, r.megabytes, r.increments, r.iterations, r.cuts,
+                     cell(r.folder));
+    }
+  return out;
+}
+
+std::string fits_csv(const scene::Study& study, const StudyResult& result) {
+  std::string out = "quantity,variant,limit,limit_pm,order,order_pm,factor,scatter,determined,remark\n";
+  for (const auto& s : result.series)
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", cell(study.quantities[s.quantity].name),
+                   cell(s.variant), s.fit.limit, s.fit.limit_pm, s.fit.order, s.fit.order_pm, s.fit.factor,
+                   s.fit.scatter, s.fit.determined ? "yes" : "no", cell(s.fit.remark));
+  return out;
+}
+
+Figure figure_of(const scene::Study& study, const StudyResult& result, bool cost) {
+  Figure f;
+  f.title = study.title;
+  f.x_label = cost ? "seconds" : "h, m";
+  f.y_label = "relative error";
+  f.logarithmic = true;
+  for (const auto& s : result.series) {
+    Curve c;
+    c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
+    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+      c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
+      c.y.push_back(s.error[k] / s.scale);
+    }
+    f.curves.push_back(c);
+  }
+  return f;
+}
+
+}  // namespace
+
+void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory) {
+  scene::write_atomically(directory + "/study.csv", runs_csv(study, result));
+  scene::write_atomically(directory + "/fits.csv", fits_csv(study, result));
+  draw(figure_of(study, result, false), directory, "convergence");
+  draw(figure_of(study, result, true), directory, "cost");
+}
+
+}  // namespace cleft::verify

@@ -1,0 +1,11 @@
+// The files of a study.
+#pragma once
+
+#include "cleft/verify/study.hpp"
+
+namespace cleft::verify {
+
+/// study.csv, fits.csv, convergence.svg (relative error against h) and cost.svg (seconds against relative error).
+void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory);
+
+}  // namespace cleft::verify

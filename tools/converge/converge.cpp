@@ -1,0 +1,68 @@
+// cleft converge: a scene over a sequence of meshes, with fitted orders and limits.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "cleft/verify/study.hpp"
+#include "verbs.hpp"
+
+namespace cleft::tools {
+namespace {
+
+struct Options {
+  std::string study;
+  verify::StudyOptions run;
+};
+
+std::string with_uncertainty(double value, double pm) {
+  return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
+}
+
+void print(const scene::Study& study, const verify::StudyResult& result) {
+  for (const auto& s : result.series) {
+    const auto& q = study.quantities[s.quantity];
+    fmt::print("\n{}{}\n", q.name, s.variant.empty() ? "" : ", " + s.variant);
+    fmt::print("  {:>10} {:>11} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "cells", "h", "value", "rel. error", "seconds",
+               "MB", "iter.");
+    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+      const auto& r = result.runs[s.runs[k]];
+      fmt::print("  {:>10} {:>11.4g} {:>14.7g} {:>11.3g} {:>9.2f} {:>7.0f} {:>7}\n", r.cells, r.h, r.value[s.quantity],
+                 s.error[k] / s.scale, r.seconds, r.megabytes, r.iterations);
+    }
+    const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
+    if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
+    fmt::print("  order {}{}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
+               s.fit.determined ? "" : "  NOT DETERMINED: ", s.fit.determined ? "" : s.fit.remark);
+  }
+}
+
+int converge(Options options) {
+  const auto study = scene::read_study(options.study);
+  options.run.program = std::filesystem::read_symlink("/proc/self/exe").string();
+  options.run.tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  const auto result = verify::run_study(study, options.run);
+  for (const auto& line : result.failed) fmt::print(stderr, "failed: {}\n", line);
+  if (!result.failed.empty()) return kFailed;
+  if (!study.title.empty()) fmt::print("{}\n", study.title);
+  print(study, result);
+  fmt::print("\nresults in {}: study.csv, fits.csv, convergence.svg, cost.svg\n", options.run.directory);
+  for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
+  return result.missed.empty() ? kDone : kCheckFailed;
+}
+
+}  // namespace
+
+void add_converge(CLI::App& app, int& result) {
+  auto options = std::make_shared<Options>();
+  options->run.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  auto* verb = app.add_subcommand("converge", "run a scene over a sequence of meshes and fit orders and limits");
+  verb->add_option("study", options->study, "study file (TOML)")->required();
+  verb->add_option("-o,--output", options->run.directory, "folder for the results; runs in it are used again")
+      ->required();
+  verb->add_option("--jobs", options->run.jobs, "runs at a time; 1 where seconds matter")->check(CLI::Range(1, 256));
+  verb->callback([options, &result] { result = converge(*options); });
+}
+
+}  // namespace cleft::tools

@@ -1,0 +1,123 @@
+// Studies with the real program, on meshes small enough for a test.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "cleft/scene/files.hpp"
+#include "cleft/verify/study.hpp"
+
+namespace cleft::tools {
+namespace {
+
+using verify::StudyOptions, verify::StudyResult;
+
+const std::string kVerification = std::string(CLEFT_SOURCE_DIR) + "/verification/";
+
+struct Fresh {
+  std::string directory, file;
+  explicit Fresh(const std::string& name, const std::string& text) {
+    directory = testing::TempDir() + "cleft_converge_" + name;
+    std::filesystem::remove_all(directory);
+    file = directory + ".toml";
+    std::ofstream(file) << text;
+  }
+  StudyOptions options() const { return {directory, CLEFT_PROGRAM, 2, {}}; }
+  StudyResult run() const { return verify::run_study(scene::read_study(file), options()); }
+};
+
+std::string block(const std::string& rest) {
+  return "scene = \"" + kVerification + "scenes/block.toml\"\nset = [\"loading.steps=20\"]\n" + rest;
+}
+
+TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
+  const Fresh s("block", block("cells = [[4, 8], [8, 16], [16, 32]]\n"
+                               "sweep = { key = \"crack.main.negative_side\", values = [\"left\", \"right\"] }\n"
+                               "[[quantity]]\ncolumn = \"fy_top\"\nload = 0.3\n"
+                               "[[quantity]]\ncolumn = \"pressure\"\ncrack = \"main\"\nload = 0.3\nalong = \"x\"\n"));
+  const StudyResult r = s.run();
+  ASSERT_TRUE(r.failed.empty()) << r.failed[0];
+  ASSERT_EQ(r.runs.size(), 6u);
+  ASSERT_EQ(r.series.size(), 4u);
+  EXPECT_EQ(r.series[1].variant, "right");
+  for (const auto& series : r.series) {
+    const bool profile = series.quantity == 1;
+    ASSERT_EQ(series.runs.size(), profile ? 2u : 3u) << "the finest profile is the reference";
+    for (std::size_t k = 0; k < series.error.size(); ++k) EXPECT_GT(series.error[k], 0.0);
+    if (!profile) {
+      EXPECT_LT(series.error[2], series.error[0]);
+    }
+  }
+  const auto table = scene::read_csv(s.directory + "/study.csv");
+  EXPECT_EQ(table.rows.size(), 10u);
+  EXPECT_EQ(table.column("value")[0], r.runs[0].value[0]);
+  EXPECT_EQ(scene::read_csv(s.directory + "/fits.csv").rows.size(), 4u);
+  for (const char* figure : {"/convergence.svg", "/cost.svg"}) {
+    const std::string svg = scene::read_bytes(s.directory + figure);
+    EXPECT_NE(svg.find("fy_top at 0.3, left"), std::string::npos) << figure;
+  }
+}
+
+TEST(Study, RunsOnlyWhatChanged) {
+  const std::string text = block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.2\n");
+  const Fresh first("kept", text);
+  for (const auto& run : first.run().runs) EXPECT_FALSE(run.reused);
+  const StudyResult again = first.run();
+  for (const auto& run : again.runs) EXPECT_TRUE(run.reused);
+  std::ofstream(first.file) << block(
+      "cells = [[4, 8], [8, 16], [10, 20]]\n[[quantity]]\ncolumn = \"fx_top\"\nload = 0.2\n");
+  const StudyResult more = first.run();
+  EXPECT_TRUE(more.runs[0].reused && more.runs[1].reused);
+  EXPECT_FALSE(more.runs[2].reused);
+  std::filesystem::remove(more.runs[1].folder + "/run.json");  // as a run that was killed leaves it
+  const StudyResult resumed = first.run();
+  EXPECT_FALSE(resumed.runs[1].reused);
+  EXPECT_EQ(resumed.runs[1].value, more.runs[1].value);
+}
+
+TEST(Study, MeasuresErrorsAndIsACheckWhereOrdersAreAskedFor) {
+  const std::string head = "scene = \"" + kVerification + "scenes/manufactured.toml\"\ncells = [[8, 8], [16, 16]]\n";
+  const Fresh holds("orders", head + "[[quantity]]\nerror = \"l2\"\norder_within = [1.9, 2.1]\n");
+  const StudyResult r = holds.run();
+  EXPECT_TRUE(r.missed.empty()) << r.missed[0];
+  EXPECT_NEAR(r.series[0].fit.order, std::log2(r.series[0].error[0] / r.series[0].error[1]), 1e-6);
+  const Fresh misses("orders", head + "[[quantity]]\nerror = \"energy\"\norder_within = [1.9, 2.1]\n");
+  ASSERT_EQ(misses.run().missed.size(), 1u);
+}
+
+TEST(Study, AFailedRunIsNamedAndTheOthersAreKept) {
+  const Fresh s("failed", block("cells = [[4, 8], [8, 16]]\n"
+                                "sweep = { key = \"solver.max_iterations\", values = [1, 12] }\n"
+                                "[[quantity]]\ncolumn = \"fy_top\"\n"));
+  const StudyResult r = s.run();
+  ASSERT_EQ(r.failed.size(), 2u);
+  EXPECT_NE(r.failed[0].find("exit code 3"), std::string::npos) << r.failed[0];
+  EXPECT_TRUE(r.series.empty());
+  EXPECT_TRUE(std::filesystem::exists(r.runs[2].folder + "/run.json"));
+}
+
+TEST(Study, RefusesWhatTheSceneDoesNotHaveBeforeAnythingRuns) {
+  const std::string cells = "cells = [[4, 8], [8, 16]]\n";
+  const std::pair<const char*, const char*> faults[] = {
+      {"[[quantity]]\ncolumn = \"fy_tip\"\n", "quantity[0].column: history.csv has no column 'fy_tip'"},
+      {"[[quantity]]\nerror = \"l2\"\n", "quantity[0].error: the scene has no [exact] solution"},
+      {"[[quantity]]\ncolumn = \"presure\"\ncrack = \"main\"\n", "quantity[0].column: no number in a crack's file"},
+      {"[[quantity]]\ncolumn = \"slip\"\ncrack = \"side\"\n", "quantity[0].crack: the scene has no crack 'side'"},
+      {"[[quantity]]\ncolumn = \"slip\"\ncrack = \"main\"\nreference = \"no.csv\"\n", "no.csv: cannot be read"}};
+  for (const auto& [text, message] : faults) {
+    const Fresh s("refused", block(cells + text));
+    try {
+      s.run();
+      ADD_FAILURE() << message;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(s.directory));
+  }
+  const Fresh coarser("refused", block("cells = [[8, 16], [4, 8]]\n[[quantity]]\ncolumn = \"fy_top\"\n"));
+  EXPECT_THROW(coarser.run(), InputError);
+}
+
+}  // namespace
+}  // namespace cleft::tools
