@@ -184,7 +184,7 @@ std::optional<double> nearest_gap(const Surfaces& surfaces, const Point& point, 
   return best;
 }
 
-std::vector<Vec2> random_walk(std::mt19937& random, Vec2 from, int steps) {
+std::vector<Vec2> random_walk(std::mt19937& random, const Vec2& from, int steps) {
   std::uniform_real_distribution<double> turn(-0.9, 0.9), length(0.02, 0.6);
   std::vector<Vec2> points{from};
   double angle = 0.0;

@@ -25,15 +25,15 @@ void run(benchmark::State& state, const Crack& crack) {
   state.counters["cut"] = static_cast<double>(elements);
 }
 
-void CutStraight(benchmark::State& state) { run(state, {"c", {{0, 0.21}, {0.93, 0.71}}}); }
-void CutWavy(benchmark::State& state) { run(state, {"c", sine_curve({0, 0.503}, {1, 0.503}, 0.21, 3.0, 1e-5)}); }
-void EdgesOf(benchmark::State& state) {
+void cut_straight(benchmark::State& state) { run(state, {"c", {{0, 0.21}, {0.93, 0.71}}}); }
+void cut_wavy(benchmark::State& state) { run(state, {"c", sine_curve({0, 0.503}, {1, 0.503}, 0.21, 3.0, 1e-5)}); }
+void every_edge(benchmark::State& state) {
   const Mesh mesh = mesh_of(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(edges_of(mesh));
 }
 
-BENCHMARK(CutStraight)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(CutWavy)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(EdgesOf)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cut_straight)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cut_wavy)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(every_edge)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
