@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Draws the figures of Liu and Borja 2010, section 6.1, from our own runs: verification/figures.sh [FOLDER]
+# FOLDER (default results/figures) then holds the runs, a CSV file and an SVG a figure. Runs that are there are used again.
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
+build cleft
+
+out=${1:-results/figures}
+mkdir -p "$out"
+
+# run NAME CELLS SIDE [override...]: the block on CELLS x 2 CELLS cells
+run() {
+  local name=$1 cells=$2 side=$3
+  shift 3
+  [[ -f $out/$name/run.json ]] && return
+  say "block, $cells x $((2 * cells)) cells, negative side $side $*"
+  build/release/bin/cleft run verification/scenes/block.toml --set "mesh.cells=[$cells,$((2 * cells))]" \
+    --set "crack.main.negative_side=$side" "$@" -o "$out/$name" 2> "$out/$name.log"
+}
+
+for cells in 8 16 32 64; do
+  run "left_$cells" "$cells" left
+  run "right_$cells" "$cells" right
+done
+
+# rows FILE LOAD: the rows of a profile at a load, without the header
+rows() { awk -F, -v load="$2" 'NR > 1 && ($1 - load) ^ 2 < 1e-18' "$1"; }
+
+# Figure 7: reactions against displacement (metres, MN/m)
+{
+  echo "cells,displacement,fx,fy"
+  for cells in 8 16 32 64; do
+    awk -F, -v cells="$cells" 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; print cells ",0,0,0"; next }
+      { print cells "," 0.01 * $c["load"] "," $c["fx_top"] / 1e6 "," $c["fy_top"] / 1e6 }' "$out/left_$cells/history.csv"
+  done
+} > "$out/figure07_reactions.csv"
+
+# Figures 8 and 10: Cauchy pressure (MPa) on either face against the current height (m), the same state integrated on
+# the upper (left) and on the lower (right) face
+{
+  echo "cells,side,load,s,y,pressure"
+  for cells in 8 16 32 64; do
+    for side in left right; do
+      for load in 0.5 1; do
+        rows "$out/${side}_$cells/crack_main.csv" "$load" | sort -t, -k3g |
+          awk -F, -v cells="$cells" -v side="$side" '{ print cells "," side "," $1 "," $3 "," $7 "," $11 / 1e6 }'
+      done
+    done
+  done
+} > "$out/figure08_pressure.csv"
+
+# Figures 6 and 9: where the faces touch, in arc length of each face before deformation (m), and the peak pressure
+{
+  echo "cells,side,load,upper_length,lower_length,peak_MPa,max_slip_over_h"
+  for cells in 8 16 32 64; do
+    for side in left right; do
+      for load in 0.5 1; do
+        rows "$out/${side}_$cells/crack_main.csv" "$load" |
+          awk -F, -v cells="$cells" -v side="$side" -v load="$load" '
+            $11 > 0 {
+              if (!n++) { a = b = $3; c = d = $14 }
+              if ($3 < a) a = $3; if ($3 > b) b = $3; if ($14 < c) c = $14; if ($14 > d) d = $14
+              if ($11 > p) p = $11
+            }
+            $12 > slip { slip = $12 }
+            END {
+              own = b - a; other = d - c
+              print cells "," side "," load "," (side == "left" ? own "," other : other "," own) "," p / 1e6 "," slip * cells / 0.04
+            }'
+      done
+    done
+  done
+} > "$out/figure09_contact.csv"
+
+# Figure 11: residuals of the iterations on mesh 2
+{
+  echo "load,iteration,residual"
+  awk -F, 'NR > 1 && (($2 - 0.1) ^ 2 < 1e-18 || ($2 - 0.3) ^ 2 < 1e-18 || ($2 - 0.5) ^ 2 < 1e-18 || ($2 - 0.7) ^ 2 < 1e-18 || ($2 - 1) ^ 2 < 1e-18) {
+    print $2 "," $3 "," $4 }' "$out/left_16/newton.csv"
+} > "$out/figure11_newton.csv"
+
+for figure in verification/figures/*.gp; do
+  gnuplot -e "folder='$out'" "$figure"
+done
+say "contact of the faces (figures 6 and 9):"
+column -s, -t "$out/figure09_contact.csv"
+say "figures are in $PWD/$out: $(cd "$out" && echo figure*.svg)"
