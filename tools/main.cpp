@@ -18,6 +18,7 @@ int dispatch(int argc, char** argv) {
   add_run(app, result);
   add_check(app, result);
   add_converge(app, result);
+  add_newton(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

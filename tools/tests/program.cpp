@@ -1,43 +1,20 @@
 // The program as a user meets it: exit codes, messages, nothing written on bad input, resuming after a kill.
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include "cleft/scene/files.hpp"
+#include "shell.hpp"
 
 namespace cleft::tools {
 namespace {
-
-const std::string kScenes = std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/";
-
-struct Outcome {
-  int code;
-  std::string text;  // of both streams
-};
-
-// `before` is run by the shell ahead of the program.
-Outcome call(const std::string& arguments, const std::string& before = "") {
-  FILE* pipe = popen((before + std::string(CLEFT_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
-  std::string text;
-  char buffer[4096];
-  while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-  return {WEXITSTATUS(pclose(pipe)), text};
-}
-
-std::string fresh(const std::string& name) {
-  const std::string path = testing::TempDir() + "cleft_program_" + name;
-  std::filesystem::remove_all(path);
-  return path;
-}
 
 TEST(Program, RunsAScene) {
   const std::string out = fresh("runs");

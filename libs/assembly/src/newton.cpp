@@ -94,6 +94,22 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
 
 }  // namespace
 
+std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations) {
+  std::vector<double> corrections;
+  bool at_rounding = false;  // of the last one
+  for (const auto& it : iterations) {
+    if (it.partner_changes + it.status_changes > 0) corrections.clear(), at_rounding = false;
+    const bool clear = it.residual > it.rounding;
+    if (!(it.correction > 0.0) || at_rounding || (!clear && corrections.size() != 2)) continue;
+    corrections.push_back(it.correction);
+    at_rounding = !clear;
+  }
+  if (corrections.size() < 3) return std::nullopt;
+  const double *c = &corrections.back() - 2, gained = std::log(c[0] / c[1]);
+  if (!(gained > 0.0)) return std::nullopt;
+  return ConvergenceOrder{std::log(c[1] / c[2]) / gained, at_rounding};
+}
+
 double rounding_floor(const Model& model, const VecX& displacement) {
   // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the
   // size eps |x|, which the penalty turns into forces. Independent errors add up in squares.
@@ -159,11 +175,12 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double floor = rounding_floor(model, u);
     const double residual = rhs.norm();
     it.residual = residual / std::max(scale, floor);
+    it.rounding = floor / std::max(scale, floor);
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
-    if (in_place && (residual <= floor ||
-                     (it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance))) {
-      out.final_residual = it.residual;
-      out.rounding = floor / std::max(scale, floor);
+    if (in_place && i >= controls.min_iterations &&
+        (residual <= floor ||
+         (it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance))) {
+      out.left = it;
       return out;
     }
     if (i == 0) first_residual = residual;

@@ -77,8 +77,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     out.number = ++place_.number;
     out.load = load;
     out.iterations = increment.iterations;
-    out.final_residual = increment.final_residual;
-    out.rounding = increment.rounding;
+    out.left = increment.left;
     return out;
   }
 }

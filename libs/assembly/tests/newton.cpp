@@ -33,12 +33,68 @@ TEST(Newton, ConvergesQuadraticallyWhileThePartnersStay) {
     for (std::size_t k = 1; k < its.size(); ++k) {
       const double before = its[k - 1].residual, after = its[k].residual;
       const bool same = its[k].partner_changes + its[k].status_changes == 0;
-      if (!same || before > 1e-2 || before < 1e-5 || after < 10 * step.rounding) continue;
+      if (!same || before > 1e-2 || before < 1e-5 || after < 10 * its[k].rounding) continue;
       ++seen;
       EXPECT_LT(std::log(after), 1.6 * std::log(before)) << "at load " << step.load;
     }
   }
   EXPECT_GE(seen, 3);
+}
+
+// Residual, correction, changes of contact; rounding leaves 1e-13.
+std::vector<Iteration> iterations(const std::vector<std::array<double, 3>>& rows) {
+  std::vector<Iteration> out;
+  for (const auto& [residual, correction, changes] : rows) {
+    auto& it = out.emplace_back();
+    it.residual = residual;
+    it.correction = correction;
+    it.status_changes = static_cast<int>(changes);
+    it.rounding = 1e-13;
+  }
+  return out;
+}
+
+TEST(ConvergenceOrder, ComesFromTheLastThreeCorrectionsAboveRounding) {
+  const auto quadratic = convergence_order(iterations(
+      {{1e-1, 1e-1, 0}, {1e-2, 1e-2, 0}, {1e-4, 1e-4, 0}, {1e-8, 1e-8, 0}, {1e-14, 1e-15, 0}, {1e-14, 0, 0}}));
+  ASSERT_TRUE(quadratic);
+  EXPECT_NEAR(quadratic->order, 2.0, 1e-12);
+  EXPECT_FALSE(quadratic->at_least);
+  EXPECT_NEAR(convergence_order(iterations({{1, 1, 0}, {1, 1e-2, 0}, {1, 1e-4, 0}, {1, 1e-6, 0}}))->order, 1.0, 1e-12);
+}
+
+TEST(ConvergenceOrder, IsABoundWhereTheThirdCorrectionIsRounding) {
+  const auto bound =
+      convergence_order(iterations({{1e-2, 1e-3, 0}, {1e-6, 1e-7, 0}, {5e-14, 1e-14, 0}, {4e-14, 1e-14, 0}}));
+  ASSERT_TRUE(bound);
+  EXPECT_NEAR(bound->order, 7.0 / 4.0, 1e-12);
+  EXPECT_TRUE(bound->at_least);
+}
+
+TEST(ConvergenceOrder, StartsWhereTheContactHasSettled) {
+  const auto late = iterations({{1, 1, 0}, {1, 0.5, 0}, {1e-2, 1e-2, 3}, {1e-3, 1e-4, 0}, {1e-6, 1e-8, 0}});
+  EXPECT_NEAR(convergence_order(late)->order, 2.0, 1e-12);
+  EXPECT_FALSE(convergence_order(iterations({{1, 1e-2, 0}, {1, 1e-4, 0}, {1, 1e-8, 1}, {1e-14, 0, 0}})));
+}
+
+TEST(ConvergenceOrder, IsNotGuessed) {
+  EXPECT_FALSE(convergence_order({}));
+  EXPECT_FALSE(convergence_order(iterations({{1e-2, 1e-2, 0}, {1e-5, 1e-5, 0}, {1e-11, 0, 0}})));
+  EXPECT_FALSE(convergence_order(iterations({{1, 1e-2, 0}, {1, 2e-2, 0}, {1, 1e-4, 0}})))
+      << "the first step lost ground";
+}
+
+TEST(Newton, MakesTheCorrectionsThatAreAskedForAtLeast) {
+  const Model model = models::block(8, NegativeSide::Left);
+  StepControls controls;
+  controls.newton.min_iterations = 5;
+  LoadStepper stepper(model, controls);
+  for (int k = 0; k < 4; ++k) {
+    const auto step = std::get<Step>(stepper.advance());
+    EXPECT_GE(step.iterations.size(), 5u);
+    EXPECT_EQ(step.left.correction, 0.0);
+    EXPECT_LT(step.left.residual, step.left.rounding);
+  }
 }
 
 TEST(Newton, ExtrapolationSavesIterationsAndChangesNothingElse) {
@@ -66,7 +122,7 @@ TEST(Newton, TightToleranceNeedsNoMoreThanRounding) {
     ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
     const auto& step = std::get<Step>(outcome);
     EXPECT_EQ(step.cuts, 0);
-    EXPECT_LE(step.final_residual, step.rounding);
+    EXPECT_LE(step.left.residual, step.left.rounding);
   }
 }
 

@@ -75,6 +75,7 @@ Json physics(const Scene& s) {
   if (!s.loading.every_step) j["loading"]["outputs"] = s.loading.outputs;
   j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance},
                  {"correction_tolerance", s.solver.correction_tolerance},
+                 {"min_iterations", s.solver.min_iterations},
                  {"max_iterations", s.solver.max_iterations},
                  {"min_step", s.solver.min_step},
                  {"extrapolate", s.solver.extrapolate},

@@ -64,6 +64,7 @@ constexpr std::array kKeys = {
     Key{"loading", "outputs", "array of numbers", "loads hit exactly and written as fields; default: every step"},
     Key{"solver", "residual_tolerance", "number", "relative to the forces"},
     Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment"},
+    Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already"},
     Key{"solver", "max_iterations", "integer", "before an increment is cut"},
     Key{"solver", "min_step", "number", "smallest increment of the load"},
     Key{"solver", "extrapolate", "true or false", "start from the last increment continued"},

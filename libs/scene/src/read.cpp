@@ -173,7 +173,10 @@ SolverSpec read_solver(const Section& s) {
   const Section::Check small = [](double x) { return x > 0.0 && x < 1.0; };
   out.residual_tolerance = s.number_or("residual_tolerance", out.residual_tolerance, small, "between 0 and 1");
   out.correction_tolerance = s.number_or("correction_tolerance", out.correction_tolerance, small, "between 0 and 1");
+  out.min_iterations = s.integer_or("min_iterations", out.min_iterations, 0, 1000);
   out.max_iterations = s.integer_or("max_iterations", out.max_iterations, 1, 1000);
+  if (out.min_iterations > out.max_iterations)
+    s.fail("min_iterations", fmt::format("more than max_iterations; allowed: 0 to {}", out.max_iterations));
   out.min_step = s.number_or("min_step", out.min_step, small, "between 0 and 1");
   out.extrapolate = s.flag_or("extrapolate", out.extrapolate);
   out.gauss_points = s.integer_or("gauss_points", out.gauss_points, 1, 4);

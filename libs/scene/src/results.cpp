@@ -39,10 +39,10 @@ Results::Results(const assembly::Model& model, std::string directory, const Chec
   std::vector<std::string> boundaries;
   for (const auto& p : model.prescribed) boundaries.push_back(p.name);
   open("history.csv", fmt::format("{}\n", fmt::join(history_columns(boundaries), ",")), resumed);
-  open(
-      "newton.csv",
-      "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds\n",
-      resumed);
+  open("newton.csv",
+       "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
+       "rounding\n",
+       resumed);
   for (const auto& crack : model.cracks)
     open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n",
          resumed);
@@ -65,15 +65,14 @@ std::map<std::string, std::uint64_t> Results::log_bytes() const {
 
 void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& stepper) {
   std::string rows;
-  for (std::size_t k = 0; k < step.iterations.size(); ++k) {
-    const auto& i = step.iterations[k];
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1,
+  auto iterations = step.iterations;
+  iterations.push_back(step.left);
+  for (std::size_t k = 0; k < iterations.size(); ++k) {
+    const auto& i = iterations[k];
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1,
                    i.residual, i.correction, i.energy, i.partner_changes, i.status_changes, i.factor_seconds,
-                   i.assembly_seconds);
+                   i.assembly_seconds, i.rounding);
   }
-  // the residual that the last correction left, with no correction of its own
-  fmt::format_to(std::back_inserter(rows), "{},{},{},{},0,0,0,0,0,0\n", step.number, step.load,
-                 step.iterations.size() + 1, step.final_residual);
   logs_.at("newton.csv").append(rows);
 
   std::string row = fmt::format("{},{},{},{}", step.number, step.load, step.iterations.size(), step.cuts);

@@ -28,22 +28,6 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// Order of the last three residuals above rounding, log(r2/r3) / log(r1/r2), if no contact point has changed its state
-// between them and the first of the two steps gained at least a digit; else 0: there is no telling.
-double order_of(const assembly::Step& step) {
-  std::vector<double> r;
-  std::size_t settled = 0;  // the first residual after the last change of state
-  for (const auto& i : step.iterations) {
-    if (i.partner_changes + i.status_changes > 0) settled = r.size();
-    r.push_back(i.residual);
-  }
-  r.push_back(step.final_residual);
-  while (!r.empty() && r.back() <= 10.0 * step.rounding) r.pop_back();
-  if (r.size() < settled + 3) return 0.0;
-  const double a = r[r.size() - 3], b = r[r.size() - 2], c = r.back();
-  return b < 0.1 * a ? std::log(b / c) / std::log(a / b) : 0.0;
-}
-
 double median(std::vector<double> v) {
   if (v.empty()) return 0.0;
   std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
@@ -195,8 +179,11 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.increments = step.number;
     result.iterations += static_cast<long>(step.iterations.size());
     result.cuts += step.cuts;
-    result.worst_residual = std::max(result.worst_residual, step.final_residual);
-    if (const double order = order_of(step); order > 0.0) orders.push_back(order);
+    result.worst_residual = std::max(result.worst_residual, step.left.residual);
+    auto residuals = step.iterations;
+    residuals.push_back(step.left);
+    if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
+      orders.push_back(seen->order);
     progress.contact_points =
         static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
           return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
@@ -218,7 +205,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
       result.unwritten = error.what();
       break;
     }
-    tell(0, step.final_residual);
+    tell(0, step.left.residual);
   }
 
   result.load = stepper.state().load;

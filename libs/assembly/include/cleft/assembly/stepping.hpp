@@ -19,8 +19,7 @@ struct Step {
   double load = 0.0;
   int cuts = 0;  ///< attempts that failed before it converged
   std::vector<Iteration> iterations;
-  double final_residual = 0.0;  ///< relative
-  double rounding = 0.0;        ///< relative residual that rounding alone may leave
+  Iteration left;  ///< residual after the last correction, with no correction of its own
 };
 
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.

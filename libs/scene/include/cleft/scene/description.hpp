@@ -94,6 +94,7 @@ struct LoadingSpec {
 struct SolverSpec {
   double residual_tolerance = 1e-8;
   double correction_tolerance = 1e-5;
+  int min_iterations = 0;
   int max_iterations = 12;
   double min_step = 1e-4;
   bool extrapolate = true;

@@ -1,0 +1,46 @@
+/// \file
+/// How fast Newton's iteration converged in a run.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cleft/assembly/newton.hpp"
+#include "cleft/scene/description.hpp"
+
+namespace cleft::verify {
+
+/// One converged increment of a run.
+struct IncrementRate {
+  int step = 0;
+  double load = 0.0;
+  std::vector<assembly::Iteration> iterations;  ///< the last one is the residual that was left
+  std::optional<assembly::ConvergenceOrder> order;
+};
+
+/// Reads newton.csv of a run's folder. Throws std::runtime_error with path and reason.
+std::vector<IncrementRate> newton_rates(const std::string& directory);
+
+struct RateRequirement {
+  double order = 1.8;  ///< that most increments must show
+  double share = 0.9;  ///< of the increments that can be judged
+  double least = 1.5;  ///< order that none may fall short of
+};
+
+/// An increment is judged if its order is known, or if its lower bound reaches what is required.
+struct RateVerdict {
+  std::size_t increments = 0, judged = 0, reach = 0;  ///< those that reach the required order
+  double lowest = 0.0, median = 0.0, highest = 0.0;   ///< of the judged ones
+  std::vector<IncrementRate> missed;                  ///< judged and below the required order
+  std::vector<IncrementRate> unjudged;
+  bool enough = false;  ///< at least half of the increments can be judged
+  bool holds = false;
+};
+RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement& required);
+
+/// The scene with iterations that go on until rounding stops them, and make at least four corrections: little can be
+/// said of an iteration that stops after two because they were good enough.
+scene::Scene until_rounding(scene::Scene scene);
+
+}  // namespace cleft::verify

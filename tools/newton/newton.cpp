@@ -1,0 +1,102 @@
+// cleft newton: the order of convergence of the iterations of a run.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "cleft/scene/read.hpp"
+#include "cleft/scene/run.hpp"
+#include "cleft/verify/newton_rate.hpp"
+#include "verbs.hpp"
+
+namespace cleft::tools {
+namespace {
+
+struct Options {
+  std::string subject;  // folder of a run, or a scene
+  std::string directory;
+  std::vector<std::string> overrides;
+  verify::RateRequirement required;
+  bool all = false;
+};
+
+std::string evidence(const verify::IncrementRate& rate) {
+  std::string text = fmt::format("  increment {:4}  load {:8.5f}  order ", rate.step, rate.load);
+  text += rate.order ? fmt::format("{}{:.2f}", rate.order->at_least ? ">= " : "", rate.order->order) : "-";
+  text += "   residual/correction";
+  for (const auto& it : rate.iterations)
+    text += fmt::format(" {:.0e}/{:.0e}{}", it.residual, it.correction,
+                        it.partner_changes + it.status_changes > 0 ? "*" : "");
+  return text;
+}
+
+void print(const verify::RateVerdict& v, const Options& options) {
+  fmt::print(
+      "increments {}, judged {}, order {:.4g} or more in {} of them; lowest {:.2f}, median {:.2f}, highest {:.2f}\n",
+      v.increments, v.judged, options.required.order, v.reach, v.lowest, v.median, v.highest);
+  if (!v.missed.empty()) fmt::print("below the order (* after a change of partner or status):\n");
+  for (const auto& rate : v.missed) fmt::print("{}\n", evidence(rate));
+  if (!v.unjudged.empty()) {
+    fmt::print("not judged, the iteration reached rounding too soon or the contact settled too late: {}\n",
+               options.all ? "" : fmt::format("{} increments (--all lists them)", v.unjudged.size()));
+    for (const auto& rate : v.unjudged)
+      if (options.all) fmt::print("{}\n", evidence(rate));
+  }
+}
+
+// A folder that is gone with this object.
+struct TemporaryFolder {
+  std::string path = (std::filesystem::temp_directory_path() / "cleft-newton-XXXXXX").string();
+  TemporaryFolder() {
+    if (!mkdtemp(path.data())) throw std::runtime_error(path + ": a temporary folder cannot be made");
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+std::vector<verify::IncrementRate> rates_of_scene(const Options& options) {
+  const auto scene = verify::until_rounding(scene::read_scene(options.subject, options.overrides));
+  const TemporaryFolder temporary;
+  scene::RunOptions run;
+  run.directory = options.directory.empty() ? temporary.path : options.directory;
+  const auto result = scene::run(scene, run);
+  if (result.end != scene::RunResult::End::Done)
+    fmt::print("the run ended at load {:.6g}: {}\n", result.load, assembly::describe(result.failure));
+  return verify::newton_rates(run.directory);
+}
+
+int newton(const Options& options) {
+  const bool is_folder = std::filesystem::is_directory(options.subject);
+  const auto rates = is_folder ? verify::newton_rates(options.subject) : rates_of_scene(options);
+  const auto verdict = verify::judge(rates, options.required);
+  print(verdict, options);
+  if (verdict.holds) return kDone;
+  fmt::print("does not hold: {}\n",
+             !verdict.enough ? "fewer than half of the increments can be judged"
+             : verdict.lowest < options.required.least
+                 ? fmt::format("an order below {:.4g}", options.required.least)
+                 : fmt::format("fewer than {:.0f} % reach the order", 100 * options.required.share));
+  return kCheckFailed;
+}
+
+}  // namespace
+
+void add_newton(CLI::App& app, int& result) {
+  auto options = std::make_shared<Options>();
+  auto* verb = app.add_subcommand("newton", "order of convergence of a run's iterations");
+  verb->add_option("subject", options->subject, "folder of a run, or a scene, which is then solved until rounding")
+      ->required();
+  verb->add_option("-o,--output", options->directory, "folder for the run of a scene; default: a temporary one");
+  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+      ->allow_extra_args(false);
+  verb->add_option("--order", options->required.order, "order that increments must show")->capture_default_str();
+  verb->add_option("--share", options->required.share, "share of the judged increments that must show it")
+      ->capture_default_str();
+  verb->add_option("--least", options->required.least, "order that none may fall short of")->capture_default_str();
+  verb->add_flag("--all", options->all, "list the increments that cannot be judged, too");
+  verb->callback([options, &result] { result = newton(*options); });
+}
+
+}  // namespace cleft::tools

@@ -1,0 +1,44 @@
+#include "cleft/scene/files.hpp"
+#include "shell.hpp"
+
+namespace cleft::tools {
+namespace {
+
+const std::string kBlock = kScenes + "block.toml --set 'mesh.cells=[16,32]' ";
+
+TEST(NewtonVerb, FindsTheBlockQuadratic) {
+  const Outcome o = call("newton " + kBlock + "--order 1.8");
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_NE(o.text.find("increments 52, judged "), std::string::npos) << o.text;
+}
+
+TEST(NewtonVerb, ReadsTheFolderOfARunAndShowsWhatMisses) {
+  const std::string out = fresh("newton_rates");
+  ASSERT_EQ(call("newton " + kBlock + "-o " + out).code, 0);
+  EXPECT_EQ(call("newton " + out).code, 0);
+  const Outcome strict = call("newton " + out + " --order 2.2");
+  EXPECT_EQ(strict.code, 1);
+  EXPECT_NE(strict.text.find("fewer than 90 % reach the order"), std::string::npos) << strict.text;
+  EXPECT_NE(strict.text.find("residual/correction "), std::string::npos) << "the evidence";
+  EXPECT_EQ(call("newton " + out + " --least 1.99").code, 1);
+}
+
+TEST(NewtonVerb, DoesNotJudgeIterationsThatStopEarly) {
+  const std::string out = fresh("newton_early");
+  ASSERT_EQ(call("run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out).code, 0);
+  const Outcome o = call("newton " + out + " --all");
+  EXPECT_EQ(o.code, 1);
+  EXPECT_NE(o.text.find("fewer than half of the increments can be judged"), std::string::npos) << o.text;
+}
+
+TEST(NewtonVerb, NamesWhatIsNotThere) {
+  const Outcome o = call("newton " + fresh("no_such_run"));
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.text.find("there is no such file"), std::string::npos) << o.text;
+  const std::string empty = fresh("newton_empty");
+  std::filesystem::create_directories(empty);
+  EXPECT_EQ(call("newton " + empty).code, 2);
+}
+
+}  // namespace
+}  // namespace cleft::tools
