@@ -21,7 +21,8 @@ function(cleft_executable target sources output)
 endfunction()
 
 # cleft_tests(NAME library...): executable test_NAME of the .cpp files below the folder tests/. Each of its GoogleTest cases
-# is a test of ctest, called NAME.Subject.Statement. rapidcheck is at hand; CLEFT_SOURCE_DIR is the root of the sources.
+# is a test of ctest, called NAME.Subject.Statement and labelled NAME. rapidcheck is at hand; CLEFT_SOURCE_DIR is the root
+# of the sources.
 function(cleft_tests name)
   if(NOT CLEFT_TESTS)
     return()
@@ -35,6 +36,6 @@ function(cleft_tests name)
     file(MAKE_DIRECTORY ${scratch})
     gtest_discover_tests(${target}
       TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-      PROPERTIES TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${scratch})
+      PROPERTIES LABELS ${name} TIMEOUT 600 ENVIRONMENT TEST_TMPDIR=${scratch})
   endif()
 endfunction()

@@ -1,5 +1,5 @@
-# Sourced by run.sh and test.sh: goes to the root of the project, installs the packages that are missing (nothing missing:
-# nothing is asked of the network) and gives them `build`.
+# Sourced by run.sh, test.sh and verification/run.sh: goes to the root of the project, installs the packages that are missing
+# (nothing missing: nothing is asked of the network) and gives them `build`.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." > /dev/null
 

@@ -1,11 +1,10 @@
 // Runs a verification scene and reads its results.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
 #include <map>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/read.hpp"
@@ -13,60 +12,32 @@
 
 namespace cleft::verification {
 
+/// A verification scene with overrides.
+scene::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {});
+
+/// A row of a table, by the names of its columns.
+using Row = std::map<std::string, std::string>;
+inline double number(const Row& row, const std::string& column) { return std::stod(row.at(column)); }
+
 struct Solved {
   scene::RunResult result;
   scene::CsvTable history;
-  std::string directory;
+  std::shared_ptr<const std::string> directory;  ///< vanishes with the last copy
 
   /// A column of history.csv at a load that the run hit.
-  double at(const std::string& column, double load) const {
-    const auto loads = history.column("load");
-    for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::fabs(loads[k] - load) < 1e-9) return history.column(column)[k];
-    ADD_FAILURE() << "load " << load << " was not reached";
-    return std::nan("");
-  }
+  double at(const std::string& column, double load) const;
+
+  /// The points of a crack's profile at one load.
+  std::vector<Row> profile(const std::string& crack, double load) const;
 };
 
-inline Solved solve(const std::string& scene, const std::vector<std::string>& overrides = {}) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(info->test_suite_name()) + "_" + info->name() + "_" + scene;
-  for (const auto& o : overrides) name += "_" + o;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  Solved out;
-  out.directory = testing::TempDir() + "cleft_" + name;
-  std::filesystem::remove_all(out.directory);
-  scene::RunOptions options;
-  options.directory = out.directory;
-  out.result =
-      scene::run(scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/" + scene + ".toml", overrides), options);
-  EXPECT_EQ(out.result.end, scene::RunResult::End::Done) << assembly::describe(out.result.failure);
-  out.history = scene::read_csv(out.directory + "/history.csv");
-  return out;
-}
+/// Runs a verification scene to its end; the running test fails if it does not get there.
+Solved solve(const std::string& scene, const std::vector<std::string>& overrides = {});
 
 /// Rows of a reference table; lines that start with # tell its provenance.
-inline scene::CsvTable reference(const std::string& file) {
-  scene::CsvTable table = scene::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
-  while (!table.header.empty() && table.header[0].starts_with("#")) {
-    table.header = table.rows.front();
-    table.rows.erase(table.rows.begin());
-  }
-  return table;
-}
+scene::CsvTable reference(const std::string& file);
 
-/// Rows of a crack's profile at one load, as columns by name.
-inline std::vector<std::map<std::string, std::string>> profile(const Solved& run, const std::string& crack,
-                                                               double load) {
-  const auto table = scene::read_csv(run.directory + "/crack_" + crack + ".csv");
-  std::vector<std::map<std::string, std::string>> rows;
-  for (const auto& row : table.rows) {
-    if (std::fabs(std::stod(row[0]) - load) > 1e-9) continue;
-    auto& out = rows.emplace_back();
-    for (std::size_t k = 0; k < row.size(); ++k) out[table.header[k]] = row[k];
-  }
-  return rows;
-}
+/// The value that is farthest from `from`; `from` if there is none.
+double farthest(const std::vector<double>& values, double from);
 
 }  // namespace cleft::verification

@@ -4,6 +4,11 @@
 
 namespace cleft::assembly {
 
+Vec2 prescribed_value(const Model& model, const Prescribed& prescribed, Index unknown, double load) {
+  const Vec2& reference = model.mesh.nodes[model.unknowns.node_of[unknown]];
+  return prescribed.displacement(reference, model.unknowns.side_of[unknown], load);
+}
+
 std::vector<Constraint> constraints_of(const Model& model) {
   std::vector<Index> source(model.unknowns.components(), kNone);
   for (Index p = 0; p < static_cast<Index>(model.prescribed.size()); ++p)
@@ -20,8 +25,7 @@ VecX prescribed_values(const Model& model, const std::vector<Constraint>& constr
   VecX values(constraints.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) {
     const auto [component, source] = constraints[k];
-    const Vec2& reference = model.mesh.nodes[model.unknowns.node_of[component / 2]];
-    values[k] = model.prescribed[source].displacement(reference, load)[component % 2];
+    values[k] = prescribed_value(model, model.prescribed[source], component / 2, load)[component % 2];
   }
   return values;
 }

@@ -165,9 +165,10 @@ TEST(LoadStepper, AHomogeneousDeformationIsReproduced) {
   A << 0.05, 0.1, -0.02, -0.08;
   m.prescribed.clear();
   for (const char* on : {"left", "right", "bottom", "top"})
-    m.prescribed.push_back({on, geometry::boundary_nodes(m.mesh, on), {true, true}, [A](const Vec2& X, double load) {
-                              return Vec2(load * A * X);
-                            }});
+    m.prescribed.push_back(
+        {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [A](const Vec2& X, geometry::MaybeSide, double load) {
+           return Vec2(load * A * X);
+         }});
   LoadStepper stepper(m, in_steps(2));
   while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   for (const auto& cell : m.cells)

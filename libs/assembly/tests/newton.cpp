@@ -183,7 +183,7 @@ TEST(LoadStepper, BalancesTheEnergyOfTheSlidingBlockUpToTheSizeOfTheIncrements) 
 
 TEST(LoadStepper, RemembersTheDeepestPenetrationOfAllIncrements) {
   Model model = models::block(8, NegativeSide::Left);
-  model.prescribed[1].displacement = [](const Vec2&, double load) {  // there and halfway back
+  model.prescribed[1].displacement = [](const Vec2&, geometry::MaybeSide, double load) {  // there and halfway back
     return Vec2(Vec2(-0.01, -0.01) * std::fmin(load, 0.6 - load));
   };
   LoadStepper stepper(model, {});

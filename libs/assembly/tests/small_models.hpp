@@ -23,9 +23,10 @@ inline void discretise(Model& m, double penalty_scale, double friction, contact:
 }
 
 inline Prescribed hold(const Model& m, const std::string& on, const Vec2& at_full_load) {
-  return {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [at_full_load](const Vec2&, double load) {
-            return Vec2(load * at_full_load);
-          }};
+  return {on,
+          geometry::boundary_nodes(m.mesh, on),
+          {true, true},
+          [at_full_load](const Vec2&, geometry::MaybeSide, double load) { return Vec2(load * at_full_load); }};
 }
 
 /// Plane-strain compression of a block with a 45-degree edge crack (Liu and Borja 2010, section 6.1).

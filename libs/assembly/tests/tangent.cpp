@@ -44,7 +44,7 @@ class AssembledTangent : public testing::TestWithParam<NegativeSide> {};
 // slide partly reversed so that some points stick.
 TEST_P(AssembledTangent, MatchesDifferencesOfTheAssembledForceInMidSlide) {
   Model model = models::block(16, GetParam());
-  model.prescribed[1].displacement = [](const Vec2&, double load) {
+  model.prescribed[1].displacement = [](const Vec2&, geometry::MaybeSide, double load) {
     const double back =
         std::fmax(0.0, load - 0.6);  // a little: points under high pressure stick, the others slide back
     return Vec2((-0.01 * (load - back) + 4e-4 * back) * Vec2::Ones());

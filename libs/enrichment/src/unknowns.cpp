@@ -10,6 +10,7 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   out.count = out.nodes;
   out.ghost.assign(mesh.nodes.size(), kNone);
   out.node_of.resize(mesh.nodes.size());
+  out.side_of.resize(mesh.nodes.size());
   for (Index i = 0; i < out.nodes; ++i) out.node_of[i] = i;
 
   std::vector<Index> touched;
@@ -18,6 +19,7 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
     for (int k = 0; k < 3; ++k) {
       const Index node = mesh.triangles[element.element][k];
       if (whole[node] == 0.0) touched.push_back(node);
+      out.side_of[node] = element.node_side[k];
       whole[node] += element.area[0] + element.area[1];
       other_side[node] += element.area[static_cast<int>(other(element.node_side[k]))];
     }
@@ -27,6 +29,7 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
     if (at_tip || other_side[node] <= kLeastSupport * whole[node]) continue;
     out.ghost[node] = out.count++;
     out.node_of.push_back(node);
+    out.side_of.emplace_back(geometry::other(*out.side_of[node]));
   }
   return out;
 }

@@ -46,7 +46,11 @@ TEST(SmallMesh, ACrackThroughTheLowerRowEnrichesBothRowsOfItsNodes) {
   for (Index ghost = 9; ghost < 15; ++ghost) {
     EXPECT_EQ(body.unknowns.node_of[ghost], ghost - 9);
     EXPECT_EQ(body.unknowns.ghost[ghost - 9], ghost);
+    const Side own = ghost < 12 ? Side::Right : Side::Left;  // the crack runs to the right, above its lower nodes
+    EXPECT_EQ(body.unknowns.side_of[ghost - 9], own);
+    EXPECT_EQ(body.unknowns.side_of[ghost], other(own));
   }
+  for (Index node = 6; node < 9; ++node) EXPECT_FALSE(body.unknowns.side_of[node]) << "nothing is cut around it";
   EXPECT_EQ(body.cells.size(), 4u + 2u * 4u);
   EXPECT_NEAR(body.area(Side::Right), 2 * 0.4, 1e-15);
   EXPECT_NEAR(body.area(Side::Left), 2 * 0.6, 1e-15);
@@ -68,6 +72,9 @@ TEST(SmallMesh, NodesOfTheEdgeAtWhichACrackEndsAreNotEnriched) {
 TEST(SmallMesh, ACrackAlongAMeshLineEnrichesTheNodesOnItOnly) {
   const Small horizontal({{0.0, 1.0}, {2.0, 1.0}});
   EXPECT_EQ(horizontal.enriched_nodes(), (Nodes{3, 4, 5}));
+  for (const Index node : horizontal.enriched_nodes())
+    EXPECT_NE(horizontal.unknowns.side_of[node], horizontal.unknowns.side_of[horizontal.unknowns.ghost[node]])
+        << "a node on the crack belongs to one side, its ghost to the other";
   const Small vertical({{1.0, 0.0}, {1.0, 2.0}});
   EXPECT_EQ(vertical.enriched_nodes(), (Nodes{1, 4, 7}));
   const Small diagonal({{0.0, 0.0}, {2.0, 2.0}});

@@ -19,6 +19,8 @@ constexpr std::array<TrianglePoint, 6> kRule{{{kA, kA, 1 - 2 * kA, 0.22338158967
                                               {kB, 1 - 2 * kB, kB, 0.109951743655322},
                                               {1 - 2 * kB, kB, kB, 0.109951743655322}}};
 
+constexpr double kGauss = 0.288675134594813;  // of the two points on [0, 1] from its middle, 1 / (2 sqrt 3)
+
 // Where a crack crosses the edge a-b of a cut triangle, 0 at a.
 double crossing_place(const assembly::Model& m, Index cut, const Vec2& a, const Vec2& b) {
   double best = 0.5, nearest = 1e300;
@@ -88,13 +90,29 @@ void for_each_point(const assembly::Model& m,
   }
 }
 
-VecX body_force(const assembly::Model& m, const std::function<Vec2(const Vec2&)>& density) {
+VecX body_force(const assembly::Model& m, const Density& density) {
   VecX force = VecX::Zero(m.unknowns.components());
   for_each_point(m, [&](const enrichment::Cell& cell, const Vec2& x, double weight) {
     const auto value = geometry::shape_values(m.mesh, cell.element, x);
-    const Vec2 f = weight * density(x);
+    const Vec2 f = weight * density(x, cell.side_if_cut());
     for (int k = 0; k < 3; ++k) force.segment<2>(2 * cell.unknown[k]) += value[k] * f;
   });
+  return force;
+}
+
+VecX face_force(const assembly::Model& m, const FaceTraction& traction) {
+  VecX force = VecX::Zero(m.unknowns.components());
+  for (const auto& face : m.surfaces.faces) {
+    const Vec2 along = face.reference_end - face.reference_start;
+    const Vec2 outward = face.normal_sign() * turn_left(along.normalized());
+    for (const double place : {0.5 - kGauss, 0.5 + kGauss}) {
+      const Vec2 f = 0.5 * along.norm() * traction(face.reference_start + place * along, face.side, outward);
+      for (int k = 0; k < 3; ++k) {
+        const double weight = (1.0 - place) * face.start.weight[k] + place * face.end.weight[k];
+        force.segment<2>(2 * face.start.unknown[k]) += weight * f;
+      }
+    }
+  }
   return force;
 }
 

@@ -1,4 +1,4 @@
-// Nodal forces of tractions, gravity and sources on a cut mesh.
+// Nodal forces of tractions and body forces on a cut mesh.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,16 @@ namespace cleft::scene {
 /// lies on.
 VecX traction_force(const assembly::Model& model, const std::string& boundary, const Vec2& traction);
 
-/// A body force density (N/m^3) integrated over all cells with a rule of degree 4 on triangles and sub-triangles.
-VecX body_force(const assembly::Model& model, const std::function<Vec2(const Vec2&)>& density);
+/// A body force density (N/m^3) integrated over all cells with a rule of degree 4 on triangles and sub-triangles. It is
+/// asked for at a point and, in a triangle that a crack divides, the side of it.
+using Density = std::function<Vec2(const Vec2& point, geometry::MaybeSide side)>;
+VecX body_force(const assembly::Model& model, const Density& density);
+
+/// A traction (Pa, per reference area) integrated over both faces of every crack with a rule of degree 3 on their
+/// segments, as a dead load. It is asked for at a point, the side whose body it acts on, and the outward normal of that
+/// body.
+using FaceTraction = std::function<Vec2(const Vec2& point, geometry::Side side, const Vec2& outward)>;
+VecX face_force(const assembly::Model& model, const FaceTraction& traction);
 
 /// Calls visit(cell, point, weight) for the quadrature points of every cell.
 void for_each_point(const assembly::Model& model,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact.hpp"
 #include "loads.hpp"
 
 namespace cleft::scene {
@@ -56,12 +57,9 @@ void set_up_contact(const Scene& scene, assembly::Model& m) {
 // A node's unknowns on a boundary: its own, and its ghost where a crack crosses an edge of that boundary beside it.
 std::vector<Index> boundary_unknowns(const assembly::Model& m, const std::string& on) {
   std::vector<Index> unknowns = geometry::boundary_nodes(m.mesh, on);
-  std::map<Index, geometry::Side> side;
-  for (const auto& element : m.cut.elements)
-    for (int k = 0; k < 3; ++k) side[m.mesh.triangles[element.element][k]] = element.node_side[k];
   for (const auto& [a, b] : m.mesh.boundaries.at(on)) {
-    const auto at_a = side.find(a), at_b = side.find(b);
-    if (at_a == side.end() || at_b == side.end() || at_a->second == at_b->second) continue;
+    const auto at_a = m.unknowns.side_of[a], at_b = m.unknowns.side_of[b];
+    if (!at_a || !at_b || *at_a == *at_b) continue;
     for (const Index node : {a, b})
       if (m.unknowns.ghost[node] != kNone) unknowns.push_back(m.unknowns.ghost[node]);
   }
@@ -70,13 +68,14 @@ std::vector<Index> boundary_unknowns(const assembly::Model& m, const std::string
   return unknowns;
 }
 
-std::function<Vec2(const Vec2&, double)> displacement_of(const BoundarySpec& b, const constitutive::Lame& constants) {
+std::function<Vec2(const Vec2&, geometry::MaybeSide, double)> displacement_of(const BoundarySpec& b,
+                                                                              const constitutive::Lame& constants) {
   const Field field = b.field ? make_field(*b.field, constants) : Field{};
-  return [b, field](const Vec2& X, double load) -> Vec2 {
+  return [b, field](const Vec2& X, geometry::MaybeSide side, double load) -> Vec2 {
     const double factor = b.amplitude(load);
     Vec2 u(b.ux.value_or(0.0), b.uy.value_or(0.0));
     if (b.affine) u = *b.affine * X;
-    if (field) u = field(X);
+    if (field) u = field(X, side);
     u *= factor;
     if (!b.rotation) return u;
     const double angle = b.rotation->degrees * b.rotation->amplitude(load) * std::numbers::pi / 180.0;
@@ -85,6 +84,19 @@ std::function<Vec2(const Vec2&, double)> displacement_of(const BoundarySpec& b, 
     const Vec2& c = b.rotation->center;
     return Vec2(turn * (X + u - c) + c - X);
   };
+}
+
+// The sides of a field are those of a crack along its direction; one that runs the other way would swap them.
+void refuse_reversed_cracks(const FieldSpec& spec, const std::vector<geometry::Crack>& cracks) {
+  const auto direction = crack_direction_of(spec);
+  if (!direction) return;
+  for (const auto& crack : cracks)
+    if ((crack.points.back() - crack.points.front()).dot(*direction) < 0.0)
+      throw InputError(
+          spec.at, "field.angle",
+          fmt::format("crack '{}' runs against the direction of field '{}', whose left would be its right; "
+                      "allowed: the crack's points, and its negative side, the other way round",
+                      crack.name, spec.name));
 }
 
 void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
@@ -103,8 +115,8 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
         const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
         for (int k = 1; k <= 20; ++k) {
           const double load = k / 20.0;
-          const double gap =
-              std::fabs(m.prescribed[p].displacement(X, load)[i] - m.prescribed[first].displacement(X, load)[i]);
+          const double gap = std::fabs(assembly::prescribed_value(m, m.prescribed[p], unknown, load)[i] -
+                                       assembly::prescribed_value(m, m.prescribed[first], unknown, load)[i]);
           if (gap > kTolerance * extent.norm())
             throw InputError(
                 scene.boundaries[p].at, fmt::format("boundary[{}]", p),
@@ -113,24 +125,6 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
                             i == 0 ? "x" : "y", X.x(), X.y(), first, scene.boundaries[first].name, gap, load));
         }
       }
-}
-
-// Density of the body force that makes `field` times the load a solution: -Div P(I + load grad u).
-std::function<Vec2(const Vec2&)> source_of(const Field& field, const assembly::Material& material, double load,
-                                           double step) {
-  const auto stress = [field, material, load, step](const Vec2& X) -> Mat2 {
-    const Mat2 F = Mat2::Identity() + load * field_gradient(field, X, step);
-    return std::visit([&](const auto& law) { return law.respond(F).piola; }, material);
-  };
-  return [stress, step](const Vec2& X) -> Vec2 {
-    Vec2 divergence = Vec2::Zero();
-    for (int j = 0; j < 2; ++j) {
-      const Vec2 d = step * Vec2::Unit(j);
-      divergence +=
-          (8.0 * (stress(X + d) - stress(X - d)) - (stress(X + 2 * d) - stress(X - 2 * d))).col(j) / (12.0 * step);
-    }
-    return -divergence;
-  };
 }
 
 }  // namespace
@@ -162,6 +156,7 @@ assembly::Model build_model(const Scene& scene) {
 
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const auto& b = scene.boundaries[k];
+    if (b.field) refuse_reversed_cracks(*b.field, m.cracks);
     assembly::Prescribed p{b.name, b.box ? geometry::nodes_in_box(m.mesh, *b.box) : boundary_unknowns(m, b.on),
                            b.components(), displacement_of(b, constants)};
     if (p.unknowns.empty())
@@ -175,19 +170,12 @@ assembly::Model build_model(const Scene& scene) {
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
   if (scene.gravity) {
     const Vec2 density = scene.gravity->density * scene.gravity->value;
-    m.dead_loads.push_back([force = body_force(m,
-                                               [density](const Vec2&) -> Vec2 {
-                                                 return {density.x(), density.y()};
-                                               }),
+    m.dead_loads.push_back([force = body_force(m, [density](const Vec2&, geometry::MaybeSide) { return density; }),
                             a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
   }
   if (scene.exact) {
-    const Field field = make_field(*scene.exact, constants);
-    const double step = 1e-3 * element_size(m.mesh, 0);
-    // mesh and cells are what the integration needs; the loads of this copy are empty
-    m.dead_loads.push_back([copy = m, field, step](double load) -> VecX {
-      return body_force(copy, source_of(field, copy.material, load, step));
-    });
+    refuse_reversed_cracks(*scene.exact, m.cracks);
+    add_loads_of(*scene.exact, m);
   }
   return m;
 }
@@ -200,29 +188,6 @@ assembly::StepControls step_controls(const Scene& scene) {
   c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.min_iterations,
               scene.solver.max_iterations, scene.solver.extrapolate};
   return c;
-}
-
-ErrorNorms error_norms(const assembly::Model& m, const Field& exact, double factor, const VecX& displacement) {
-  ErrorNorms out;
-  const auto c = m.constants();
-  const auto energy = [&](const Mat2& g) {
-    const Mat2 e = 0.5 * (g + g.transpose());
-    return c.lambda * e.trace() * e.trace() + 2.0 * c.mu * e.squaredNorm();
-  };
-  const double step = 1e-3 * element_size(m.mesh, 0);
-  for_each_point(m, [&](const enrichment::Cell& cell, const Vec2& x, double weight) {
-    const auto value = geometry::shape_values(m.mesh, cell.element, x);
-    Vec2 u = Vec2::Zero();
-    for (int k = 0; k < 3; ++k) u += value[k] * displacement.segment<2>(2 * cell.unknown[k]);
-    const Vec2 v = factor * exact(x);
-    const Mat2 g = factor * field_gradient(exact, x, step);
-    out.l2 += weight * (u - v).squaredNorm();
-    out.l2_exact += weight * v.squaredNorm();
-    out.energy += weight * energy(cell.deformation(displacement) - Mat2::Identity() - g);
-    out.energy_exact += weight * energy(g);
-  });
-  for (double* value : {&out.l2, &out.energy, &out.l2_exact, &out.energy_exact}) *value = std::sqrt(*value);
-  return out;
 }
 
 }  // namespace cleft::scene

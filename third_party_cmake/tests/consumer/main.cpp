@@ -19,9 +19,10 @@ int main() {
   model.surfaces.points = contact::place_points(model.surfaces, 2);
   const auto hold = [&](const char* on, double down) {
     model.prescribed.push_back(
-        {on, geometry::boundary_nodes(model.mesh, on), {true, true}, [down](const Vec2&, double load) {
-           return Vec2(0.0, -down * load);
-         }});
+        {on,
+         geometry::boundary_nodes(model.mesh, on),
+         {true, true},
+         [down](const Vec2&, geometry::MaybeSide, double load) { return Vec2(0.0, -down * load); }});
   };
   hold("bottom", 0.0);
   hold("top", 0.01);

@@ -21,8 +21,9 @@ using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean>;
 struct Prescribed {
   std::string name;
   std::vector<Index> unknowns;
-  std::array<bool, 2> component{};                                       ///< which components are prescribed
-  std::function<Vec2(const Vec2& reference, double load)> displacement;  ///< metres
+  std::array<bool, 2> component{};  ///< which components are prescribed
+  /// Metres, of a node's reference point and the side that the unknown belongs to (Unknowns::side_of).
+  std::function<Vec2(const Vec2& reference, geometry::MaybeSide side, double load)> displacement;
 };
 
 /// Nodal forces of dead loads (N/m, per component of all unknowns) at a load.
@@ -50,6 +51,9 @@ struct Constraint {
   Index component = kNone;  ///< 2 * unknown + direction
   Index source = kNone;     ///< index into Model::prescribed
 };
+
+/// Displacement that one of a boundary's unknowns is prescribed at a load, metres.
+Vec2 prescribed_value(const Model& model, const Prescribed& prescribed, Index unknown, double load);
 
 /// All constraints, ascending in component; where two boundaries share a component the later one in the list counts.
 std::vector<Constraint> constraints_of(const Model& model);

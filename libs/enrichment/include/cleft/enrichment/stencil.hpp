@@ -31,6 +31,8 @@ struct Cell {
   Index cut = kNone;                           ///< index into CutMesh::elements, or kNone for a whole triangle
   geometry::Side side = geometry::Side::Left;  ///< meaningful for a cut triangle
 
+  geometry::MaybeSide side_if_cut() const { return cut == kNone ? geometry::MaybeSide{} : side; }
+
   /// Deformation gradient F = I + grad u.
   Mat2 deformation(const VecX& components) const {
     Mat2 F = Mat2::Identity();

@@ -23,6 +23,8 @@ struct Unknowns {
   Index count = 0;             ///< nodes and ghosts
   std::vector<Index> ghost;    ///< per node: its ghost unknown, or kNone
   std::vector<Index> node_of;  ///< per unknown: the node it belongs to
+  /// Per unknown: the side whose displacement it is, as the cut has it; none at a node around which nothing is cut.
+  std::vector<geometry::MaybeSide> side_of;
   Index enriched() const { return count - nodes; }
   Index components() const { return 2 * count; }
 };

@@ -2,6 +2,7 @@
 /// Cracks as polylines of the reference configuration.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace cleft::geometry {
 /// A side of a crack, seen along its direction from the first to the last point.
 enum class Side : std::uint8_t { Right = 0, Left = 1 };
 inline Side other(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
+
+/// A side where there is one to tell; none away from the triangles that a crack divides.
+using MaybeSide = std::optional<Side>;
 
 struct Crack {
   std::string name;

@@ -5,23 +5,39 @@
 #include <functional>
 
 #include "cleft/constitutive/elastic.hpp"
+#include "cleft/geometry/crack.hpp"
 #include "cleft/scene/description.hpp"
 
 namespace cleft::scene {
 
-/// Displacement (metres) at a reference point (metres), at full load.
-using Field = std::function<Vec2(const Vec2& reference)>;
+/// Displacement (metres) at a reference point (metres), at full load. Where the field jumps over a crack, a side asks
+/// for the displacement of the body on that side, continued smoothly to points beyond the crack: so a node on the
+/// crack, or a node of the other side that carries this side's displacement, gets the right one whatever rounding makes
+/// of its place. Without a side the place decides.
+using Field = std::function<Vec2(const Vec2& reference, geometry::MaybeSide side)>;
 
 /// Looks up a field and checks its parameters. Throws InputError with what is allowed.
 ///
 ///  - `mode-I`, `mode-II`: the near field of a crack tip in an infinite plane under plane strain, small strain;
-///  parameters tip_x, tip_y
-///    (default 0), angle (degrees of the direction ahead of the tip, default 0), K (Pa sqrt(m), default 1e6);
+///    parameters tip_x, tip_y (default 0), angle (degrees of the direction ahead of the tip, default 0), K (Pa sqrt(m),
+///    default 1e6). Sides are those of a crack that runs into the tip;
 ///  - `waves`: u = a (sin(k x) cos(k y), cos(k x) sin(k y / 2)); parameters a (metres, default 0.01) and k (1/m,
-///  default pi).
+///    default pi);
+///  - `parted-waves`: `waves` to the right of the line through (x, y) (default the origin) in the direction angle
+///    (degrees, default 0), and to the left of it u = a (cos(k x) sin(k y), sin(k x / 2) cos(k y)) + opening n, with n
+///    the normal to the left and opening in metres (default 0.1): two bodies apart from each other.
 Field make_field(const FieldSpec& spec, const constitutive::Lame& constants);
 
+/// What keeps a body in equilibrium at a field, besides its boundary values: nothing where the field solves the linear
+/// problem with faces that are free or in contact, else the body force -Div P, and at faces apart the tractions P N,
+/// too.
+enum class FieldLoads { None, Body, BodyAndFaces };
+FieldLoads loads_of(const FieldSpec& spec);
+
+/// Direction of the crack whose sides the field knows; none for a field that is continuous everywhere.
+std::optional<Vec2> crack_direction_of(const FieldSpec& spec);
+
 /// Gradient of a field by fourth-order differences over steps of `step` metres.
-Mat2 field_gradient(const Field& field, const Vec2& reference, double step);
+Mat2 field_gradient(const Field& field, const Vec2& reference, geometry::MaybeSide side, double step);
 
 }  // namespace cleft::scene

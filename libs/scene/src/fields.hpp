@@ -1,0 +1,30 @@
+// The makers of the registered fields.
+#pragma once
+
+#include "cleft/scene/field.hpp"
+
+namespace cleft::scene {
+
+/// Values of a field's parameters, defaults filled in. Throws InputError on one that the field does not have.
+struct Parameters {
+  const FieldSpec& spec;
+  std::map<std::string, double> values;
+
+  Parameters(const FieldSpec& s, std::map<std::string, double> defaults);
+  double operator()(const char* key) const { return values.at(key); }
+};
+
+/// A frame with its first axis turned by `degrees` against x.
+struct Frame {
+  Vec2 origin;
+  Mat2 turn;
+  Frame(const Vec2& at, double degrees);
+  Vec2 local(const Vec2& X) const { return turn.transpose() * (X - origin); }
+};
+
+Field mode_one(const FieldSpec& spec, const constitutive::Lame& constants);
+Field mode_two(const FieldSpec& spec, const constitutive::Lame& constants);
+Field waves(const FieldSpec& spec, const constitutive::Lame& constants);
+Field parted_waves(const FieldSpec& spec, const constitutive::Lame& constants);
+
+}  // namespace cleft::scene

@@ -1,0 +1,77 @@
+#include "solved.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace cleft::verification {
+namespace {
+
+std::shared_ptr<const std::string> scratch_directory() {
+  static int count = 0;
+  const std::string path =
+      testing::TempDir() + "cleft_verification_" + std::to_string(getpid()) + "_" + std::to_string(++count);
+  std::filesystem::remove_all(path);
+  return {new std::string(path), [](const std::string* name) {
+            std::error_code ignored;
+            std::filesystem::remove_all(*name, ignored);
+            delete name;
+          }};
+}
+
+}  // namespace
+
+scene::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides) {
+  return scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/" + name + ".toml", overrides);
+}
+
+Solved solve(const std::string& scene, const std::vector<std::string>& overrides) {
+  Solved out;
+  out.directory = scratch_directory();
+  scene::RunOptions options;
+  options.directory = *out.directory;
+  out.result = scene::run(scene_of(scene, overrides), options);
+  EXPECT_EQ(out.result.end, scene::RunResult::End::Done) << assembly::describe(out.result.failure);
+  out.history = scene::read_csv(*out.directory + "/history.csv");
+  return out;
+}
+
+double Solved::at(const std::string& column, double load) const {
+  const auto loads = history.column("load");
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (std::fabs(loads[k] - load) < 1e-9) return history.column(column)[k];
+  ADD_FAILURE() << "load " << load << " was not reached";
+  return std::nan("");
+}
+
+std::vector<Row> Solved::profile(const std::string& crack, double load) const {
+  const auto table = scene::read_csv(*directory + "/crack_" + crack + ".csv");
+  std::vector<Row> rows;
+  for (const auto& cells : table.rows) {
+    if (std::fabs(std::stod(cells[0]) - load) > 1e-9) continue;
+    Row& row = rows.emplace_back();
+    for (std::size_t k = 0; k < cells.size(); ++k) row[table.header[k]] = cells[k];
+  }
+  EXPECT_FALSE(rows.empty()) << "crack " << crack << " has no points at load " << load;
+  return rows;
+}
+
+scene::CsvTable reference(const std::string& file) {
+  scene::CsvTable table = scene::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
+  while (!table.header.empty() && table.header[0].starts_with("#")) {
+    table.header = table.rows.front();
+    table.rows.erase(table.rows.begin());
+  }
+  return table;
+}
+
+double farthest(const std::vector<double>& values, double from) {
+  double out = from;
+  for (const double value : values)
+    if (!(std::fabs(value - from) <= std::fabs(out - from))) out = value;
+  return out;
+}
+
+}  // namespace cleft::verification
