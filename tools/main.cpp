@@ -19,6 +19,7 @@ int dispatch(int argc, char** argv) {
   add_check(app, result);
   add_converge(app, result);
   add_newton(app, result);
+  add_tangent(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
