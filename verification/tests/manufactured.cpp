@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "cleft/scene/problem.hpp"
 #include "comparison.hpp"
 #include "order.hpp"
 #include "solved.hpp"
@@ -32,21 +31,13 @@ scene::ErrorNorms error_on(int cells, const Problem& problem, const std::string&
   overrides.push_back(fmt::format("mesh.cells=[{0},{0}]", cells));
   overrides.push_back("material.model=" + material);
   const auto scene = scene_of(problem.scene, overrides);
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
-  while (!stepper.done()) {
-    const auto outcome = stepper.advance();
-    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      ADD_FAILURE() << assembly::describe(*failure);
-      return {};
-    }
-  }
-  const auto& pairs = stepper.pairs();
+  const SolvedModel solved(scene);
+  const auto& pairs = solved.stepper.pairs();
   EXPECT_TRUE(std::all_of(pairs.begin(), pairs.end(), [](const contact::Pair& pair) {
     return pair.state.traction.status == contact::Status::Open;
   })) << "the solution has no contact";
-  return scene::error_norms(model, scene::make_field(*scene.exact, model.constants()), 1.0,
-                            stepper.state().displacement);
+  return scene::error_norms(solved.model, scene::make_field(*scene.exact, solved.model.constants()), 1.0,
+                            solved.stepper.state().displacement);
 }
 
 class Manufactured : public testing::TestWithParam<std::tuple<Problem, const char*>> {};

@@ -38,6 +38,17 @@ Solved solve(const std::string& scene, const std::vector<std::string>& overrides
   return out;
 }
 
+SolvedModel::SolvedModel(const scene::Scene& scene)
+    : model(scene::build_model(scene)), stepper(model, scene::step_controls(scene)) {
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      ADD_FAILURE() << assembly::describe(*failure);
+      return;
+    }
+  }
+}
+
 double Solved::at(const std::string& column, double load) const {
   const auto loads = history.column("load");
   for (std::size_t k = 0; k < loads.size(); ++k)

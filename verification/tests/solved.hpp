@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cleft/scene/files.hpp"
+#include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
 #include "cleft/scene/run.hpp"
 
@@ -33,6 +34,16 @@ struct Solved {
 
 /// Runs a verification scene to its end; the running test fails if it does not get there.
 Solved solve(const std::string& scene, const std::vector<std::string>& overrides = {});
+
+/// A scene solved in memory, with nothing written; the running test fails if it does not get to its end.
+struct SolvedModel {
+  explicit SolvedModel(const scene::Scene& scene);
+  SolvedModel(const SolvedModel&) = delete;
+  SolvedModel& operator=(const SolvedModel&) = delete;
+
+  assembly::Model model;
+  assembly::LoadStepper stepper;
+};
 
 /// Rows of a reference table; lines that start with # tell its provenance.
 scene::CsvTable reference(const std::string& file);

@@ -75,6 +75,66 @@ TEST(NearTipField, HasFacesFreeOfTraction) {
     }
 }
 
+// A crack at 30 degrees through (0.2, 0.1), pressed, with a half-length of 0.7.
+std::map<std::string, double> closed(double tau, double friction) {
+  return {{"center_x", 0.2}, {"center_y", 0.1}, {"angle", 30.0},       {"half_length", 0.7},
+          {"sigma_n", -3e6}, {"tau", tau},      {"friction", friction}};
+}
+constexpr double kPressure = 3e6;
+Vec2 on_crack(double x) { return Vec2(0.2, 0.1) + x * kAlong; }
+
+TEST(ClosedCrackField, SlipsByTheEllipseOfTheShearThatFrictionLeaves) {
+  for (const double sign : {1.0, -1.0})
+    for (const double x : {-0.69, -0.2, 0.0, 0.5})
+      for (const double off : {0.0, 1e-16, -1e-16}) {
+        const Field f = field("closed-crack", closed(sign * 2e6, 0.4));
+        const double slip =
+            sign * 4.0 * (1.0 - kPoisson * kPoisson) / kYoung * (2e6 - 0.4 * kPressure) * std::sqrt(0.49 - x * x);
+        const Vec2 X = on_crack(x) + off * kLeft;
+        EXPECT_LT((f(X, Side::Left) - f(X, Side::Right) - slip * kAlong).norm(), 1e-12 * std::fabs(slip));
+      }
+}
+
+TEST(ClosedCrackField, CarriesPressureAndFrictionOnBothFaces) {
+  for (const double sign : {1.0, -1.0})
+    for (const auto side : {Side::Left, Side::Right}) {
+      const Mat2 s = stress(field("closed-crack", closed(sign * 2e6, 0.4)), on_crack(0.3), side, 1e-3);
+      EXPECT_NEAR(kLeft.dot(s * kLeft), -kPressure, 1e-6 * kPressure);
+      EXPECT_NEAR(kAlong.dot(s * kLeft), sign * 0.4 * kPressure, 1e-6 * kPressure);
+    }
+}
+
+TEST(ClosedCrackField, SolvesLinearElasticityOnEachSideBeyondItAndAheadOfItsTips) {
+  const Field f = field("closed-crack", closed(2e6, 0.4));
+  for (const MaybeSide side : {MaybeSide{}, MaybeSide{Side::Left}, MaybeSide{Side::Right}})
+    for (const double height : {0.3, -0.3})
+      for (const double x : {-1.3, -0.4, 0.2, 1.1})
+        EXPECT_LT(divergence(f, on_crack(x) + height * kLeft, side).norm(), 1e-4 * kPressure) << x << " " << height;
+}
+
+TEST(ClosedCrackField, HasTheRemoteStressFarAwayAndEverywhereWhereItSticks) {
+  const auto expect_remote = [](const Field& f, const Vec2& X, double tau, double tolerance) {
+    const Mat2 s = stress(f, X, {}, 1e-3 * X.norm());
+    EXPECT_NEAR(kLeft.dot(s * kLeft), -kPressure, tolerance * kPressure);
+    EXPECT_NEAR(kAlong.dot(s * kLeft), tau, tolerance * kPressure);
+    EXPECT_NEAR(kAlong.dot(s * kAlong), 0.0, tolerance * kPressure);
+  };
+  // the crack's own stress falls with the square of the distance
+  for (const Vec2& X : {Vec2(300, 0), Vec2(-200, 200), Vec2(0, -300)})
+    expect_remote(field("closed-crack", closed(2e6, 0.4)), X, 2e6, 1e-5);
+  for (const double tau : {1.19e6, -1.19e6})
+    for (const Vec2& X : {Vec2(1, 2), Vec2(0.3, 0.15), Vec2(-0.5, 0.2)})
+      expect_remote(field("closed-crack", closed(tau, 0.4)), X, tau, 1e-9);
+}
+
+TEST(ClosedCrackField, RefusesWhatIsNoClosedCrack) {
+  for (const auto& [key, value] : {std::pair{"sigma_n", 1.0}, {"half_length", 0.0}, {"friction", -0.1}}) {
+    auto parameters = closed(2e6, 0.4);
+    parameters[key] = value;
+    EXPECT_THROW(field("closed-crack", parameters), InputError) << key;
+  }
+}
+
 TEST(PartedWaves, AreTwoFieldsAnOpeningApartAndThePlaceDecidesOnlyWithoutASide) {
   const std::map<std::string, double> parameters{{"a", 0.02}, {"k", 2.0},      {"x", 0.3},
                                                  {"y", 0.4},  {"angle", 30.0}, {"opening", 0.5}};
