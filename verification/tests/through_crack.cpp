@@ -1,5 +1,6 @@
 // A through crack under uniform compression: it sticks if and only if friction exceeds the tangent of its angle, and
 // the field is then that of the uncracked body.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,10 +12,26 @@
 namespace cleft::verification {
 namespace {
 
-TEST(ThroughCrack, SticksAndLeavesTheFieldOfTheUncrackedBodyUpToTheElasticContact) {
-  Case table("through crack at 20 deg, mu 0.4");
-  const Solved run = solve("through_crack");
-  const double stress = 1e10 / (1 - 0.25 * 0.25) * 1e-5, angle = std::atan2(0.3639702342662, 1.0);
+struct Joint {
+  const char* name;
+  double slope;
+  double tangent() const { return std::fabs(slope); }  // of its angle to the horizontal
+};
+
+Solved pressed(const Joint& joint, double friction) {
+  const double rise = 0.5 * joint.slope;
+  return solve("through_crack", {fmt::format("crack.joint.points=[[0.0,{}],[1.0,{}]]", 0.5 - rise, 0.5 + rise),
+                                 fmt::format("crack.joint.friction={}", friction)});
+}
+
+class ThroughCrack : public testing::TestWithParam<Joint> {};
+
+TEST_P(ThroughCrack, SticksAndLeavesTheFieldOfTheUncrackedBodyUpToTheElasticContact) {
+  const Joint& joint = GetParam();
+  const double friction = 1.1 * joint.tangent();
+  Case table(fmt::format("through crack at {}, mu {:.3f}", joint.name, friction));
+  const Solved run = pressed(joint, friction);
+  const double stress = 1e10 / (1 - 0.25 * 0.25) * 1e-5, angle = std::atan(joint.tangent());
   const double pressure = stress * std::cos(angle) * std::cos(angle),
                shear = stress * std::sin(angle) * std::cos(angle);
   const double compliance = stress / 2e13 / 1e-5;  // of the penalty springs over that of the body
@@ -31,28 +48,33 @@ TEST(ThroughCrack, SticksAndLeavesTheFieldOfTheUncrackedBodyUpToTheElasticContac
   }
   const Tolerance uneven =
       within_part(1.5 * compliance, soft + "and half of it again for its unevenness along the crack");
-  table.compare("points that do not stick", loose, exact(0), within(0, "tan 20 deg < mu: all of them must"));
+  table.compare("points that do not stick", loose, exact(0), within(0, "mu exceeds the tangent: all of them must"));
   table.compare("normal traction, worst, Pa", farthest(normal, -pressure), exact(-pressure), uneven);
   table.compare("shear traction, worst, Pa", farthest(tangential, shear), exact(shear), uneven);
   table.compare("slip, worst, m", farthest(slip, 0.0), exact(0), within(0, "a point that sticks has none at all"));
 }
 
-TEST(ThroughCrack, SlidesOnlyWhereFrictionIsBelowTheTangentOfItsAngle) {
-  // tan 20 degrees = 0.364
-  Case above("through crack at 20 deg, mu 0.37");
-  above.compare("sliding points", solve("through_crack", {"crack.joint.friction=0.37"}).at("slipping_points", 1.0),
-                exact(0), within(0, "tan 20 deg < mu: none may"));
+TEST_P(ThroughCrack, SlidesOnlyWhereFrictionIsBelowTheTangentOfItsAngle) {
+  const Joint& joint = GetParam();
+  Case above(fmt::format("through crack at {}, mu {:.3f}", joint.name, 1.02 * joint.tangent()));
+  above.compare("sliding points", pressed(joint, 1.02 * joint.tangent()).at("slipping_points", 1.0), exact(0),
+                within(0, "mu exceeds the tangent: none may"));
   // below it the upper part, free to move sideways, slides off its load
-  Case below("through crack at 20 deg, mu 0.35");
-  const Solved sliding = solve("through_crack", {"crack.joint.friction=0.35"});
+  Case below(fmt::format("through crack at {}, mu {:.3f}", joint.name, 0.96 * joint.tangent()));
+  const Solved sliding = pressed(joint, 0.96 * joint.tangent());
   const auto points = sliding.profile("joint", 1.0);
   const auto sticking =
       std::count_if(points.begin(), points.end(), [](const Row& r) { return r.at("status") == "stick"; });
-  below.compare("sticking points", static_cast<double>(sticking), exact(0), within(0, "tan 20 deg > mu: none may"));
+  below.compare("sticking points", static_cast<double>(sticking), exact(0),
+                within(0, "mu is below the tangent: none may"));
   below.compare(
       "vertical force, N/m", sliding.at("fy_top", 1.0), exact(0.0),
       within(1e-3 * 1e5, "a thousandth of the force that a crack that sticks carries: the free part slides off"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Joints, ThroughCrack,
+                         testing::Values(Joint{"20 deg", 0.3639702342662}, Joint{"-35 deg", -0.7}),
+                         [](const auto& joint) { return joint.param.slope > 0.0 ? "Rising" : "Falling"; });
 
 }  // namespace
 }  // namespace cleft::verification

@@ -109,6 +109,21 @@ TEST(Hencky, SimpleShearHasTheClosedForm) {
   }
 }
 
+TEST(Hencky, SimpleShearSoftensBeyondAShearOfThree) {
+  const auto m = make<Hencky>(7.0e5, 0.4);
+  const auto shear_stress = [&](double g) {
+    Mat2 F;
+    F << 1, g, 0, 1;
+    return cauchy(m.respond(F).piola, F)(0, 1);
+  };
+  double low = 2.5, high = 3.5;  // bisection of the slope; the maximum is where g asinh(g / 2) = sqrt(4 + g^2)
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (low + high), h = 1e-4;
+    (shear_stress(middle + h) > shear_stress(middle - h) ? low : high) = middle;
+  }
+  EXPECT_NEAR(low, 3.018, 5e-4);
+}
+
 TEST(Hencky, UniaxialStressAndStrainHaveTheClosedForm) {
   const double E = 1.0e4, nu = 0.25;
   const auto m = make<Hencky>(E, nu);
