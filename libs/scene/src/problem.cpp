@@ -170,7 +170,10 @@ assembly::Model build_model(const Scene& scene) {
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
   if (scene.gravity) {
     const Vec2 density = scene.gravity->density * scene.gravity->value;
-    m.dead_loads.push_back([force = body_force(m, [density](const Vec2&, geometry::MaybeSide) { return density; }),
+    m.dead_loads.push_back([force = body_force(m,
+                                               [density](const Vec2&, geometry::MaybeSide) -> Vec2 {
+                                                 return {density.x(), density.y()};
+                                               }),
                             a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
   }
   if (scene.exact) {
