@@ -2,7 +2,7 @@
 #
 # makes the program `cleft_fault_NAME`: cleft with one mistake in it, OLD replaced by NEW in the source file SOURCE (below
 # libs/). The tests prove with it that such a mistake does not go unnoticed. OLD must stand in SOURCE exactly once: the
-# configuration stops when the source has moved on.
+# configuration stops when the source has moved on. The directory property CLEFT_FAULTS lists the programs.
 function(cleft_fault name source old new)
   set(path ${PROJECT_SOURCE_DIR}/libs/${source})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
@@ -24,4 +24,5 @@ function(cleft_fault name source old new)
   target_include_directories(${target} PRIVATE ${folder})
   target_link_libraries(${target} PRIVATE cleft_verbs)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/faults)
+  set_property(DIRECTORY APPEND PROPERTY CLEFT_FAULTS ${target})
 endfunction()

@@ -3,24 +3,41 @@
 namespace cleft::tools {
 namespace {
 
-TEST(TangentVerb, PassesTheBlockAndNamesItsBlocks) {
+TEST(TangentVerb, PassesTheBlockAndSaysWhatItJudged) {
   const Outcome o = call("tangent " + kScenes + "block.toml --set 'mesh.cells=[8,16]'");
   EXPECT_EQ(o.code, 0) << o.text;
-  for (const char* text : {"5 states", "bulk left", "contact slip", "force y of node", "below 1.0e-06"})
+  for (const char* text : {"5 states", "bulk left", "contact slip", "contact at a mouth", "assembled",
+                           "crack main, left face, arc length", "force y of node", "below 1.0e-06"})
     EXPECT_NE(o.text.find(text), std::string::npos) << text << "\n" << o.text;
+  EXPECT_EQ(o.text.find("not judged"), std::string::npos) << o.text;
 }
 
-TEST(TangentVerb, FailsAboveTheTolerance) {
-  const Outcome o = call("tangent " + kScenes + "plain.toml --states 1 --tolerance 1e-15");
+TEST(TangentVerb, ListsKinksApart) {
+  const Outcome o = call("tangent " + kScenes + "rotation.toml");
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_NE(o.text.find("not judged"), std::string::npos) << o.text;
+  EXPECT_NE(o.text.find("between stick and slip: 80 in all"), std::string::npos)
+      << "the rigid turn of two states moves no point off its limit\n"
+      << o.text;
+}
+
+// The gaps of this scene are nanometres.
+TEST(TangentVerb, DoesNotHoldWhereRoundingLeavesTooLittleToJudge) {
+  const Outcome o = call("tangent " + kScenes + "through_crack.toml --tolerance 1e-9");
   EXPECT_EQ(o.code, 1);
-  EXPECT_NE(o.text.find("NOT below"), std::string::npos) << o.text;
+  EXPECT_NE(o.text.find("too little could be judged"), std::string::npos) << o.text;
 }
 
 TEST(TangentVerb, SaysWhenTheRunFails) {
   const Outcome o = call("tangent " + kScenes + "block.toml --set solver.max_iterations=1 --set solver.min_step=0.01");
   EXPECT_EQ(o.code, 3);
   EXPECT_NE(o.text.find("the run failed"), std::string::npos) << o.text;
+}
+
+TEST(TangentVerb, RefusesABadSceneOrCommandLine) {
   EXPECT_EQ(call("tangent nowhere.toml").code, 2);
+  EXPECT_EQ(call("tangent " + kScenes + "plain.toml --tolerance 1e-15").code, 2) << "beyond what differences can tell";
+  EXPECT_EQ(call("tangent " + kScenes + "plain.toml --states 0").code, 2);
 }
 
 }  // namespace

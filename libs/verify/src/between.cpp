@@ -1,0 +1,51 @@
+#include "cleft/verify/between.hpp"
+
+#include <algorithm>
+
+namespace cleft::verify {
+namespace {
+
+// Neither a converged state nor halfway, where a motion that turns back would stand still.
+constexpr double kPart = 0.37;
+
+StateBetween between(const assembly::State& before, const VecX& after, double load) {
+  return {before, before.displacement + kPart * (after - before.displacement),
+          before.load + kPart * (load - before.load)};
+}
+
+// What one iteration makes of the last converged state on the way to the next load.
+StateBetween beyond(const assembly::LoadStepper& stepper) {
+  const assembly::State& state = stepper.state();
+  const double load = std::min(1.0, state.load + stepper.place().step);
+  assembly::NewtonControls once;
+  once.max_iterations = 1;
+  once.extrapolate = false;
+  assembly::Assembler assembler(stepper.model());
+  assembly::LinearSolver solver(assembly::LoadStepper::factorisation_for(stepper.model()));
+  const auto trial =
+      assembly::solve_increment(stepper.model(), stepper.constraints(), state, load, once, assembler, solver, {});
+  return between(state, trial.displacement, load);
+}
+
+}  // namespace
+
+std::optional<assembly::Failure> visit_between(assembly::LoadStepper& stepper, int states,
+                                               const std::function<bool(const StateBetween&)>& visit) {
+  int visited = 0;  // of the loads (k + 1/2) / states
+  const auto next = [&] { return (visited + 0.5) / states; };
+  while (!stepper.done() && visited < states) {
+    const assembly::State before = stepper.state();
+    const auto outcome = stepper.advance();
+    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      visit(beyond(stepper));
+      return *failure;
+    }
+    const assembly::State& after = stepper.state();
+    if (after.load < next()) continue;
+    while (next() <= after.load) ++visited;
+    if (!visit(between(before, after.displacement, after.load))) break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cleft::verify

@@ -1,0 +1,29 @@
+// On which smooth branch of the contact law a point stands.
+#pragma once
+
+#include <vector>
+
+#include "cleft/assembly/model.hpp"
+#include "cleft/contact/search.hpp"
+
+namespace cleft::verify {
+
+/// Whether a pair has a force.
+bool presses(const contact::Pair& pair);
+
+/// Why the force of a contact point is not differentiable between two of its states: what changes from one to the
+/// other. Null if nothing does.
+const char* kink_between(const contact::Pair& a, const contact::Pair& b);
+
+/// "contact stick" and the like.
+const char* block_of(const contact::Pair& pair, const contact::Memory& memory);
+
+/// Unknowns on which the force of a point may depend; the first `forces` of them are those on which it acts.
+struct PairUnknowns {
+  std::vector<Index> all;
+  std::size_t forces = 0;
+};
+PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
+                         const contact::Memory& memory);
+
+}  // namespace cleft::verify

@@ -1,0 +1,24 @@
+// The assembled matrix against differences of the assembled force.
+#pragma once
+
+#include <functional>
+
+#include "cleft/assembly/block_matrix.hpp"
+#include "cleft/verify/tangent.hpp"
+
+namespace cleft::verify {
+
+/// The force at some displacement (N/m, all components), and the unknowns on which contact points act that stand on
+/// another branch of their law there.
+struct WholeForce {
+  VecX force;
+  std::vector<Index> kinked;
+};
+using Evaluate = std::function<WholeForce(const VecX& u)>;
+
+/// Compares all columns with steps given per unknown, many columns at a time. A force that changes although none of the
+/// moved columns has an entry in its row is an entry that the matrix lacks (with column kNone).
+TangentBlock check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
+                          const Evaluate& evaluate, double load, double tolerance);
+
+}  // namespace cleft::verify

@@ -1,0 +1,2 @@
+inline constexpr int kAnswer = 42;
+int answer();
