@@ -30,17 +30,18 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     const auto& law = model.surfaces.laws[k];
     if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
     if (law.normal_penalty > kStiff * scale[k])
-      out.push_back(fmt::format("{}: the normal penalty is {:.3g} times E/h ({:.4g} Pa/m); expect an oscillating contact "
-                                "pressure, and smaller increments",
-                                crack, law.normal_penalty / scale[k], scale[k]));
+      out.push_back(
+          fmt::format("{}: the normal penalty is {:.3g} times E/h ({:.4g} Pa/m); expect an oscillating contact "
+                      "pressure, and smaller increments",
+                      crack, law.normal_penalty / scale[k], scale[k]));
   }
   for (const auto& b : scene.boundaries)
     if (b.ux || b.uy || b.affine || b.field) {
       const double factor = b.amplitude(0.0);
       const bool moves = b.affine || b.field || b.ux.value_or(0.0) != 0.0 || b.uy.value_or(0.0) != 0.0;
       if (factor != 0.0 && moves)
-        out.push_back(fmt::format("boundary '{}': its factor is {} already at load 0; the first increment takes it whole",
-                                  b.name, factor));
+        out.push_back(fmt::format(
+            "boundary '{}': its factor is {} already at load 0; the first increment takes it whole", b.name, factor));
     }
   return out;
 }

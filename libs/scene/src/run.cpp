@@ -11,8 +11,8 @@
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/support/timer.hpp"
-#include "folder.hpp"
 #include "results.hpp"
+#include "run_folder.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -132,7 +132,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const std::string checkpoint_path = options.directory + "/checkpoint";
   Checkpoint kept;
   if (options.resume) kept = read_checkpoint(scene, checkpoint_path);
-  const Folder folder(options.directory);
+  const RunFolder folder(options.directory);
   if (!options.resume) remove_results(options.directory);
   assembly::LoadStepper stepper(model, step_controls(scene));
   Results results(model, options.directory, options.resume ? &kept : nullptr);

@@ -62,6 +62,13 @@ TEST(SceneReader, SuggestsTheNearestKeyForAnUnknownOne) {
   });
 }
 
+TEST(SceneReader, ReportsFaultsOfTheTextItself) {
+  expect_all_reported({
+      {"steps = 6", "steps = @= 6", "", "not valid TOML"},
+      {"[loading]", "@loading = 3\n[loading]", "gravity.loading", "unknown key"},
+  });
+}
+
 TEST(SceneReader, ReportsFaultsOfTheMesh) {
   expect_all_reported({
       {"kind = \"structured\"", "kind = @\"delaunay\"", "mesh.kind",
@@ -81,6 +88,8 @@ TEST(SceneReader, ReportsFaultsOfTheMesh) {
        "not available in this version; allowed: kind, box"},
       {"cells = [4, 8]", "cells = [4, @nan]", "mesh.cells", "not a finite number"},
       {"cells = [4, 8]", "cells = @4", "mesh.cells", "wrong shape"},
+      {"cells = [4, 8]", "cells = [4, @true]", "mesh.cells", "not a number"},
+      {"cells = [4, 8]", "cells = @[5000, 5000]", "mesh.cells", "at most 1e7 in all"},
       {"diagonal = \"right\"", "diagonal = @\"up\"", "mesh.diagonal",
        "'up' is not available; allowed: right, left, alternating"},
       {"[mesh]\nkind = \"structured\"\nbox = [0.0, 0.0, 0.04, 0.08]", "@[mesh]\nkind = \"structured\"", "mesh.box",
@@ -104,6 +113,7 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
        "not available in this version; allowed: model, young, poisson"},
       {"[material]\nmodel = \"hencky\"", "@[material]", "material.model",
        "missing; allowed: text (hencky | neo-hookean)"},
+      {"[material]\nmodel", "@[[material]]\n[[material]]\nmodel", "material", "several materials"},
       {"kinematics = \"finite\"", "kinematics = @\"small\"", "formulation.kinematics",
        "'small' is not available; allowed: finite"},
       {"tip_enrichment = 0.0", "tip_enrichment = @0.1", "formulation.tip_enrichment",
@@ -125,6 +135,7 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
       {"friction = 0.3", "friction = 0.3\n@growth = { criterion = \"rankine\" }", "crack[0].growth",
        "not available in this version; allowed: name, points"},
       {"friction = 0.3", "friction = 0.3\nperiods = @2", "crack[0].periods", "allowed with curve = \"sine\" only"},
+      {points, "points = @[[0, 0.01], [0.02, 0.03]]\ncurve = \"sine\"", "crack[0].points", "polyline or a curve"},
       {points, "curve = @\"circle\"", "crack[0].curve", "'circle' is not available; allowed: sine"},
       {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = @[0, 0.02]\namplitude = 0.001", "crack[0].end", "no length"},
       {"name = \"main\"", "name = @\"a/b\"", "crack[0].name", "not usable in a file name"},
@@ -171,12 +182,16 @@ TEST(SceneReader, ReportsFaultsOfLoadsStepsAndSolver) {
       {"value = [2.0, 3.0]", "value = @[2.0]", "traction[0].value", "an array of 2 finite numbers"},
       {"density = 2700.0", "density = @0", "gravity.density", "positive"},
       {"[gravity]\nvalue = [0.0, -9.81]", "@[gravity]", "gravity.value", "missing"},
+      {"[gravity]\nvalue = [0.0, -9.81]\ndensity = 2700.0", "@[gravity]\nvalue = [0.0, -9.81]", "gravity.density",
+       "missing"},
       {"steps = 6", "steps = @0", "loading.steps", "not an integer in range"},
       {"steps = 6", "steps = @2.5", "loading.steps", "not an integer in range"},
       {"outputs = [0.5, 1.0]", "outputs = @[1.0, 0.5]", "loading.outputs", "out of order"},
       {"outputs = [0.5, 1.0]", "outputs = @[0.0, 0.5]", "loading.outputs", "greater than 0"},
       {"outputs = [0.5, 1.0]", "outputs = @[1.1]", "loading.outputs", "up to 1"},
       {"outputs = [0.5, 1.0]", "outputs = [@nan]", "loading.outputs", "not a finite number"},
+      {"max_iterations = 20", "max_iterations = 20\nmin_iterations = @21", "solver.min_iterations",
+       "more than max_iterations"},
       {"max_iterations = 20", "max_iterations = @0", "solver.max_iterations", "allowed: 1 to 1000"},
       {"max_iterations = 20", "gauss_points = @5", "solver.gauss_points", "allowed: 1 to 4"},
       {"max_iterations = 20", "residual_tolerance = @1.0", "solver.residual_tolerance", "between 0 and 1"},

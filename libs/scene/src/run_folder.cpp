@@ -1,4 +1,4 @@
-#include "folder.hpp"
+#include "run_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -11,7 +11,7 @@
 
 namespace cleft::scene {
 
-Folder::Folder(const std::string& path) {
+RunFolder::RunFolder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw std::runtime_error(path + ": the folder cannot be made: " + error.message());
@@ -26,6 +26,6 @@ Folder::Folder(const std::string& path) {
   }
 }
 
-Folder::~Folder() { ::close(handle_); }
+RunFolder::~RunFolder() { ::close(handle_); }
 
 }  // namespace cleft::scene

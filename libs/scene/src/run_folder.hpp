@@ -5,14 +5,14 @@
 
 namespace cleft::scene {
 
-class Folder {
+class RunFolder {
  public:
   /// Makes the folder unless it is there and locks it as long as this object lives. Throws std::runtime_error with path
   /// and reason where that cannot be done; nothing is left behind then.
-  explicit Folder(const std::string& path);
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
+  explicit RunFolder(const std::string& path);
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
 
  private:
   int handle_ = -1;

@@ -1,0 +1,80 @@
+// From a scene to a problem: what only shows once the mesh is cut, defaults by scale, loads, remarks.
+#include "cleft/scene/problem.hpp"
+
+#include "scenes.hpp"
+
+namespace cleft::scene {
+namespace {
+
+TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
+  const auto model = build_model(scene_of(replaced(kBlock, "contact = { normal_penalty = 2.0e12 }\n", "")));
+  EXPECT_NEAR(model.surfaces.laws[0].normal_penalty, 1e10 / 0.01, 1e-3);
+  EXPECT_NEAR(model.surfaces.laws[0].tangential_penalty, 1e10 / 0.01, 1e-3);
+}
+
+struct Fault {
+  const char* from;
+  const char* to;
+  const char* key;
+  const char* problem;
+  const char* line_of;  // what stands on the line that is named
+};
+
+TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
+  const char* const points = "points = [[0.0, 0.01833], [0.0349, 0.05323]]";
+  const Fault faults[] = {
+      {"on = \"top\"", "box = [1.0, 1.0, 2.0, 2.0]", "boundary[1].box", "no node lies in the box", "box = [1.0"},
+      {points, "points = [[1.0, 1.0], [2.0, 2.0]]", "crack[0] 'main'", "lies outside of the body", "[[crack]]"},
+      {points, "points = [[0.011, 0.011], [0.012, 0.012]]", "crack[0] 'main'", "too short", "[[crack]]"},
+      {points, "points = [[0.0, 0.02], [0.03, 0.05], [0.03, 0.02], [0.0, 0.05]]", "crack[0] 'main'", "itself",
+       "[[crack]]"},
+      {"[[traction]]", "[[boundary]]\non = \"left\"\nuy = 0.001\n[[traction]]", "boundary[2]",
+       "prescribes uy at the node", "on = \"left\""},
+      {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "field", "there is no field 'wafes'", "field = \"wafes\""},
+  };
+  for (const auto& [from, to, key, problem, mark] : faults) {
+    SCOPED_TRACE(to);
+    const std::string text = replaced(kBlock, from, to);
+    try {
+      build_model(scene_of(text));
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), key) << error.what();
+      EXPECT_NE(error.problem().find(problem), std::string::npos) << error.what();
+      EXPECT_NEAR(error.location().line, line_of(text, mark), 1) << error.what();
+    }
+  }
+}
+
+TEST(Problem, TractionAndGravityHaveTheirResultantsAcrossACut) {
+  const std::string text =
+      replaced(kBlock, "on = \"right\"\nvalue = [2.0, 3.0]", "on = \"left\"\nvalue = [2.0e6, -1.0e6]");
+  const auto model = build_model(scene_of(text));
+  Vec2 sum = Vec2::Zero();
+  const VecX force = assembly::dead_force(model, 0.5);
+  for (Index q = 0; q < model.unknowns.count; ++q) sum += force.segment<2>(2 * q);
+  const Vec2 expected = 0.5 * (0.08 * Vec2(2e6, -1e6) + 2700.0 * 0.04 * 0.08 * Vec2(0, -9.81));
+  EXPECT_LT((sum - expected).norm(), 1e-9 * expected.norm());
+}
+
+TEST(Problem, RemarksOnWhatMaySurprise) {
+  const auto all = [](const std::string& text) {
+    const Scene scene = scene_of(text);
+    std::string out;
+    for (const auto& line : remarks(scene, build_model(scene))) out += line + "\n";
+    return out;
+  };
+  const std::string block = all(kBlock);
+  EXPECT_NE(block.find("the tip (0.0349, 0.05323) lies inside an element"), std::string::npos) << block;
+  EXPECT_EQ(block.find("penalty"), std::string::npos) << block;
+  EXPECT_NE(all(replaced(kBlock, "friction = 0.3", "friction = 0.0")).find("slides without friction"),
+            std::string::npos);
+  EXPECT_NE(all(replaced(kBlock, "2.0e12", "1e14")).find("100 times E/h (1e+12 Pa/m)"), std::string::npos);
+  EXPECT_NE(
+      all(replaced(kBlock, "uy = -0.005", "uy = -0.005\namplitude = [[0, 0.5], [1, 1]]")).find("already at load 0"),
+      std::string::npos);
+  EXPECT_EQ(all(kPlain), "");
+}
+
+}  // namespace
+}  // namespace cleft::scene

@@ -1,0 +1,99 @@
+// Runs through the library: stopped, resumed, failed, refused.
+#include "cleft/scene/run.hpp"
+
+#include "cleft/scene/files.hpp"
+#include "scenes.hpp"
+
+namespace cleft::scene {
+namespace {
+
+RunOptions into(const std::string& directory) {
+  RunOptions options;
+  options.directory = directory;
+  return options;
+}
+
+TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
+  const Folder folder;
+  const Scene scene = scene_of(kBlock);
+  ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
+  std::atomic<bool> stop = false;
+  RunOptions options = into(folder / "parts");
+  options.stop = &stop;
+  options.observer = [&](const Progress& p) { stop = p.iteration == 0; };  // after every increment
+  int parts = 0;
+  for (RunResult result; parts < 50; ++parts) {
+    stop = false;
+    result = run(scene, options);
+    options.resume = true;
+    if (result.end == RunResult::End::Done) break;
+    ASSERT_EQ(result.end, RunResult::End::Stopped);
+  }
+  EXPECT_GT(parts, 3);
+  for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd", "fields_0001.vtu"})
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
+}
+
+TEST(Run, RefusesACheckpointOfAnotherSceneOrADamagedOne) {
+  const Folder folder;
+  const std::string out = folder / "run";
+  (void)run(scene_of(kBlock), into(out));
+  const std::string checkpoint = out + "/checkpoint", bytes = read_bytes(checkpoint),
+                    history = read_bytes(out + "/history.csv");
+  RunOptions options = into(out);
+  options.resume = true;
+  const auto refused = [&](const Scene& scene) -> std::string {
+    try {
+      (void)run(scene, options);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refused(scene_of(replaced(kBlock, "friction = 0.3", "friction = 0.4"))),
+            checkpoint + ": the checkpoint belongs to another scene; run without --resume, or into another folder");
+  for (const std::size_t length : {bytes.size() / 2, bytes.size() - 1}) {
+    write_atomically(checkpoint, bytes.substr(0, length));
+    EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": the checkpoint is damaged");
+  }
+  std::string altered = bytes;
+  altered[bytes.size() / 2] ^= 1;
+  write_atomically(checkpoint, altered);
+  EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": the checkpoint is damaged");
+  write_atomically(checkpoint, "something else");
+  EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": not a checkpoint of this version of cleft");
+  EXPECT_EQ(read_bytes(out + "/history.csv"), history) << "nothing is written";
+}
+
+TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
+  const Folder folder;
+  const std::string text =
+      replaced(replaced(kBlock, "uy = -0.005", "uy = -0.2"), "max_iterations = 20", "min_step = 0.02");
+  const RunResult result = run(scene_of(text), into(folder / "run"));
+  ASSERT_EQ(result.end, RunResult::End::Failed);
+  EXPECT_GT(result.load, 0.0);
+  EXPECT_LT(result.load, 1.0);
+  EXPECT_NE(result.failure.place.find("last converged"), std::string::npos) << result.failure.place;
+  EXPECT_FALSE(result.failure.advice.empty());
+  const auto history = read_csv(folder / "run/history.csv");
+  EXPECT_EQ(history.rows.size(), static_cast<std::size_t>(result.increments));
+  EXPECT_EQ(history.column("load").back(), result.load);
+  EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"failed\""), std::string::npos);
+}
+
+TEST(Run, TellsItsRemarksBeforeTheFirstIncrement) {
+  const Folder folder;
+  RunOptions options = into(folder / "run");
+  std::vector<std::string> heard;
+  bool running = false;
+  options.observer = [&](const Progress&) { running = true; };
+  options.remark = [&](const std::string& text) {
+    EXPECT_FALSE(running);
+    heard.push_back(text);
+  };
+  (void)run(scene_of(kBlock), options);
+  EXPECT_EQ(heard.size(), 1u);
+}
+
+}  // namespace
+}  // namespace cleft::scene
