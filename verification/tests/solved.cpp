@@ -28,11 +28,15 @@ scene::Scene scene_of(const std::string& name, const std::vector<std::string>& o
 }
 
 Solved solve(const std::string& scene, const std::vector<std::string>& overrides) {
+  return solve(scene_of(scene, overrides));
+}
+
+Solved solve(const scene::Scene& scene) {
   Solved out;
   out.directory = scratch_directory();
   scene::RunOptions options;
   options.directory = *out.directory;
-  out.result = scene::run(scene_of(scene, overrides), options);
+  out.result = scene::run(scene, options);
   EXPECT_EQ(out.result.end, scene::RunResult::End::Done) << assembly::describe(out.result.failure);
   out.history = scene::read_csv(*out.directory + "/history.csv");
   return out;

@@ -34,6 +34,7 @@ struct Solved {
 
 /// Runs a verification scene to its end; the running test fails if it does not get there.
 Solved solve(const std::string& scene, const std::vector<std::string>& overrides = {});
+Solved solve(const scene::Scene& scene);
 
 /// A scene solved in memory, with nothing written; the running test fails if it does not get to its end.
 struct SolvedModel {

@@ -50,6 +50,16 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
                      model.mesh.nodes[node].y(), most);
 }
 
+double largest_gradient(const Model& model, const VecX& du) {
+  double largest = 0.0;
+  for (const auto& cell : model.cells) {
+    Mat2 g = Mat2::Zero();  // not as F - I, which would round at 1
+    for (int k = 0; k < 3; ++k) g += du.segment<2>(2 * cell.unknown[k]) * cell.gradient[k].transpose();
+    largest = std::max(largest, g.squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
 // Replaces the equations of prescribed components by du = change.
 void constrain(const std::vector<Constraint>& constraints, const VecX& change, double diagonal, BlockMatrix& matrix,
                VecX& rhs) {
@@ -93,22 +103,6 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
 }
 
 }  // namespace
-
-std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations) {
-  std::vector<double> corrections;
-  bool at_rounding = false;  // of the last one
-  for (const auto& it : iterations) {
-    if (it.partner_changes + it.status_changes > 0) corrections.clear(), at_rounding = false;
-    const bool clear = it.residual > it.rounding;
-    if (!(it.correction > 0.0) || at_rounding || (!clear && corrections.size() != 2)) continue;
-    corrections.push_back(it.correction);
-    at_rounding = !clear;
-  }
-  if (corrections.size() < 3) return std::nullopt;
-  const double *c = &corrections.back() - 2, gained = std::log(c[0] / c[1]);
-  if (!(gained > 0.0)) return std::nullopt;
-  return ConvergenceOrder{std::log(c[1] / c[2]) / gained, at_rounding};
-}
 
 double rounding_floor(const Model& model, const VecX& displacement) {
   // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the
@@ -213,6 +207,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();
     correction = moved > 0.0 ? du.cwiseAbs().maxCoeff() / moved : 0.0;
     it.correction = correction;
+    it.gradient = largest_gradient(model, du);
     it.energy = std::fabs(rhs.dot(du));
     out.iterations.push_back(it);
     if (observer) observer(i + 1, it);

@@ -47,7 +47,7 @@ std::vector<Iteration> iterations(const std::vector<std::array<double, 3>>& rows
   for (const auto& [residual, correction, changes] : rows) {
     auto& it = out.emplace_back();
     it.residual = residual;
-    it.correction = correction;
+    it.correction = it.gradient = correction;
     it.status_changes = static_cast<int>(changes);
     it.rounding = 1e-13;
   }
@@ -69,6 +69,16 @@ TEST(ConvergenceOrder, IsABoundWhereTheThirdCorrectionIsRounding) {
   ASSERT_TRUE(bound);
   EXPECT_NEAR(bound->order, 7.0 / 4.0, 1e-12);
   EXPECT_TRUE(bound->at_least);
+}
+
+TEST(ConvergenceOrder, JudgesByTheLargestGradientAndBoundsByTheBetterOfBothNorms) {
+  auto its = iterations({{1e-2, 1e-2, 0}, {1e-5, 1e-5, 0}, {1e-9, 1e-9, 0}, {1e-14, 0, 0}});
+  for (auto [k, gradient] : {std::pair{0, 1e-1}, {1, 1e-3}, {2, 1e-7}}) its[k].gradient = gradient;
+  EXPECT_NEAR(convergence_order(its)->order, 4.0 / 2.0, 1e-12);
+  its[2].residual = 5e-14;
+  const auto bound = convergence_order(its);
+  EXPECT_TRUE(bound->at_least);
+  EXPECT_NEAR(bound->order, 4.0 / 2.0, 1e-12) << "in displacements it would be 4/3";
 }
 
 TEST(ConvergenceOrder, StartsWhereTheContactHasSettled) {

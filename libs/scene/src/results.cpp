@@ -41,7 +41,7 @@ Results::Results(const assembly::Model& model, std::string directory, const Chec
   open("history.csv", fmt::format("{}\n", fmt::join(history_columns(boundaries), ",")), resumed);
   open("newton.csv",
        "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
-       "rounding\n",
+       "rounding,gradient\n",
        resumed);
   for (const auto& crack : model.cracks)
     open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n",
@@ -69,9 +69,9 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
   iterations.push_back(step.left);
   for (std::size_t k = 0; k < iterations.size(); ++k) {
     const auto& i = iterations[k];
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load, k + 1,
                    i.residual, i.correction, i.energy, i.partner_changes, i.status_changes, i.factor_seconds,
-                   i.assembly_seconds, i.rounding);
+                   i.assembly_seconds, i.rounding, i.gradient);
   }
   logs_.at("newton.csv").append(rows);
 

@@ -19,8 +19,8 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
     }
   };
   const auto step = column("step"), load = column("load"), residual = column("residual"), rounding = column("rounding"),
-             correction = column("correction"), energy = column("energy"), partner = column("partner_changes"),
-             status = column("status_changes");
+             correction = column("correction"), gradient = column("gradient"), energy = column("energy"),
+             partner = column("partner_changes"), status = column("status_changes");
   std::vector<IncrementRate> rates;
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (rates.empty() || rates.back().step != static_cast<int>(step[k]))
@@ -29,6 +29,7 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
     it.residual = residual[k];
     it.rounding = rounding[k];
     it.correction = correction[k];
+    it.gradient = gradient[k];
     it.energy = energy[k];
     it.partner_changes = static_cast<int>(partner[k]);
     it.status_changes = static_cast<int>(status[k]);

@@ -24,6 +24,7 @@ struct Iteration {
   double residual = 0.0;    ///< before the correction, relative to the force scale
   double rounding = 0.0;    ///< the residual that rounding alone may leave, likewise relative
   double correction = 0.0;  ///< largest component, relative to the displacement of the increment
+  double gradient = 0.0;    ///< largest displacement gradient of the correction (Frobenius norm)
   double energy = 0.0;      ///< residual times correction, J/m
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
   int status_changes = 0;   ///< contact points with another status than an iteration before
@@ -53,15 +54,18 @@ struct ConvergenceOrder {
   bool at_least = false;  ///< the last correction was at the level of rounding: the true order is not smaller
 };
 
-/// Order of convergence, log(c3 / c2) / log(c2 / c1) of the last three corrections whose residuals were above rounding,
-/// counted from where no contact point changed its partner or status any more; where there are two only, the next one,
-/// which rounding can but enlarge, gives a lower bound. `iterations` are those of one increment and what they left.
-/// Nothing where there are not even those, or where the corrections do not fall.
+/// Order of convergence, log(g3 / g2) / log(g2 / g1) of the last three corrections above rounding, counted from where
+/// no contact point changed its partner or status any more. `g` is the largest displacement gradient of a correction. A
+/// correction is above rounding if its residual is, or if the next one is ten times smaller: rounding does not shrink.
+/// Where there are two only, the next one, which rounding can but enlarge, gives a lower bound; it is taken in the
+/// largest displacement as well, and the higher bound counts, as the order does not depend on the norm. `iterations`
+/// are those of one increment and what they left. Nothing where there are not even those, or where the corrections do
+/// not fall.
 ///
-/// Corrections, not residuals: Newton's iteration does not depend on how the equations are scaled, and neither do they.
-/// The 2-norm of the residuals mixes soft and stiff directions; of three of them the first, which holds the error of
-/// the extrapolation, is large in stiff ones that a linear solution removes at once, and the order comes out 0.1 to 0.4
-/// low.
+/// Three numbers show the order only as far as the constant C of e' = C e^2 is the same in both steps. The strains'
+/// nonlinearity is quadratic in the displacement gradient, at each point on its own: in the largest gradient C hardly
+/// depends on where the error sits. It does in the largest displacement, and more so in the 2-norm of the residual: the
+/// first error, that of the extrapolation, is smooth, the later ones sit at the tip and at the contact's ends.
 std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations);
 
 /// Size of a residual that rounding alone may leave, N/m (2-norm).

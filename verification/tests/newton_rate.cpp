@@ -1,0 +1,37 @@
+// The block's increments converge quadratically, on every mesh and whichever face is integrated.
+#include "cleft/verify/newton_rate.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "comparison.hpp"
+#include "solved.hpp"
+
+namespace cleft::verification {
+namespace {
+
+class NewtonRate : public testing::TestWithParam<std::tuple<int, const char*>> {};
+
+TEST_P(NewtonRate, IsQuadraticInNineOfTenIncrements) {
+  const auto& [across, side] = GetParam();
+  Case table(fmt::format("block, {} across, {}, iterations", across, side));
+  const scene::Scene scene = scene_of("block", {fmt::format("mesh.cells=[{},{}]", across, 2 * across),
+                                                std::string("crack.main.negative_side=") + side});
+  const Solved run = solve(verify::until_rounding(scene));
+  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  EXPECT_TRUE(verdict.enough) << verdict.judged << " of " << verdict.increments << " can be judged";
+  EXPECT_EQ(verdict.increments, 52U);
+  table.compare("share of the increments of order 1.8 or more",
+                static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
+                within(0.1, "three errors show an order only about"));
+  table.compare("lowest order", verdict.lowest, exact(2.0), within(0.5, "the same, on the worst increment"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, NewtonRate,
+                         testing::Combine(testing::Values(8, 16, 32), testing::Values("left", "right")),
+                         [](const auto& c) {
+                           return std::to_string(std::get<0>(c.param)) + "_" + std::get<1>(c.param);
+                         });
+
+}  // namespace
+}  // namespace cleft::verification
