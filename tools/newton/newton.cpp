@@ -31,9 +31,11 @@ std::string evidence(const verify::IncrementRate& rate) {
 }
 
 void print(const verify::RateVerdict& v, const Options& options) {
-  fmt::print(
-      "increments {}, judged {}, order {:.4g} or more in {} of them; lowest {:.2f}, median {:.2f}, highest {:.2f}\n",
-      v.increments, v.judged, options.required.order, v.reach, v.lowest, v.median, v.highest);
+  fmt::print("increments {}, judged {}", v.increments, v.judged);
+  if (v.judged > 0)
+    fmt::print(", order {:.4g} or more in {} of them; lowest {:.2f}, median {:.2f}, highest {:.2f}",
+               options.required.order, v.reach, v.lowest, v.median, v.highest);
+  fmt::print("\n");
   if (!v.missed.empty()) fmt::print("below the order (* after a change of partner or status):\n");
   for (const auto& rate : v.missed) fmt::print("{}\n", evidence(rate));
   if (!v.unjudged.empty()) {
@@ -69,6 +71,9 @@ std::vector<verify::IncrementRate> rates_of_scene(const Options& options) {
 
 int newton(const Options& options) {
   const bool is_folder = std::filesystem::is_directory(options.subject);
+  if (is_folder && !(options.overrides.empty() && options.directory.empty()))
+    throw std::runtime_error(options.subject +
+                             ": the folder of a run, which is only read; --set and -o go with a scene");
   const auto rates = is_folder ? verify::newton_rates(options.subject) : rates_of_scene(options);
   const auto verdict = verify::judge(rates, options.required);
   print(verdict, options);
@@ -91,10 +96,15 @@ void add_newton(CLI::App& app, int& result) {
   verb->add_option("-o,--output", options->directory, "folder for the run of a scene; default: a temporary one");
   verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
       ->allow_extra_args(false);
-  verb->add_option("--order", options->required.order, "order that increments must show")->capture_default_str();
-  verb->add_option("--share", options->required.share, "share of the judged increments that must show it")
+  verb->add_option("--order", options->required.order, "order that increments must show")
+      ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
-  verb->add_option("--least", options->required.least, "order that none may fall short of")->capture_default_str();
+  verb->add_option("--share", options->required.share, "share of the judged increments that must show it")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  verb->add_option("--least", options->required.least, "order that none may fall short of")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
   verb->add_flag("--all", options->all, "list the increments that cannot be judged, too");
   verb->callback([options, &result] { result = newton(*options); });
 }

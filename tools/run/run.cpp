@@ -43,7 +43,7 @@ void print_summary(const scene::RunResult& r, const std::string& directory) {
   const auto& e = r.energies;
   fmt::print(
       "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + friction {:.6g} + contact {:.6g} + imbalance {:.2g} "
-      "({:.2f} %)\n",
+      "({:.4f} %)\n",
       e.external_work, e.elastic, e.friction_dissipation, e.contact, e.imbalance(),
       e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
@@ -73,6 +73,10 @@ int solve(const Options& options) {
   const auto result = scene::run(scene, run);
   if (live) fmt::print(stderr, "\n");
   print_summary(result, run.directory);
+  constexpr double kTooDeep = 0.1;
+  if (result.overlap > kTooDeep)
+    spdlog::warn("the crack's faces overlap by {:.2g} element sizes: the penalty is too soft for these loads",
+                 result.overlap);
   if (result.end == scene::RunResult::End::Done) return kDone;
   if (result.end == scene::RunResult::End::Stopped)
     spdlog::warn("interrupted at load {:.6g}; go on with --resume", result.load);

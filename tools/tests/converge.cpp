@@ -115,6 +115,11 @@ TEST(Study, RefusesWhatTheSceneDoesNotHaveBeforeAnythingRuns) {
     }
     EXPECT_FALSE(std::filesystem::exists(s.directory));
   }
+  const Fresh uncut("refused", "scene = \"" + kVerification + "scenes/block.toml\"\n" + cells +
+                                   "set = [\"crack.main.points=[[0.011,0.011],[0.012,0.012]]\"]\n"
+                                   "[[quantity]]\ncolumn = \"fy_top\"\n");
+  EXPECT_THROW(uncut.run(), InputError) << "what only shows on a mesh, too";
+  EXPECT_FALSE(std::filesystem::exists(uncut.directory));
   const Fresh coarser("refused", block("cells = [[8, 16], [4, 8]]\n[[quantity]]\ncolumn = \"fy_top\"\n"));
   EXPECT_THROW(coarser.run(), InputError);
 }

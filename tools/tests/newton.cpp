@@ -31,6 +31,15 @@ TEST(NewtonVerb, DoesNotJudgeIterationsThatStopEarly) {
   EXPECT_NE(o.text.find("fewer than half of the increments can be judged"), std::string::npos) << o.text;
 }
 
+TEST(NewtonVerb, RefusesOptionsThatMeanNothing) {
+  const std::string out = fresh("newton_options");
+  ASSERT_EQ(call("run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out).code, 0);
+  const Outcome o = call("newton " + out + " --set loading.steps=3");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.text.find("--set and -o go with a scene"), std::string::npos) << o.text;
+  EXPECT_EQ(call("newton " + out + " --share 90").code, 2);
+}
+
 TEST(NewtonVerb, NamesWhatIsNotThere) {
   const Outcome o = call("newton " + fresh("no_such_run"));
   EXPECT_EQ(o.code, 2);

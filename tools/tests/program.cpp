@@ -158,6 +158,13 @@ TEST(Program, SaysWhatMaySurprise) {
   EXPECT_EQ(call("check " + kScenes + "plain.toml").text.find("note"), std::string::npos);
 }
 
+TEST(Program, WarnsWhereTheFacesOverlap) {
+  const std::string run = "run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + fresh("overlap");
+  EXPECT_EQ(call(run).text.find("overlap by"), std::string::npos);
+  const Outcome soft = call(run + " --set crack.main.contact.normal_penalty=1e10");
+  EXPECT_NE(soft.text.find("faces overlap by"), std::string::npos) << soft.text;
+}
+
 TEST(Program, TellsItsVersion) {
   const Outcome o = call("--version");
   EXPECT_EQ(o.code, 0);

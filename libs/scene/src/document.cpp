@@ -62,6 +62,17 @@ toml::node* member(toml::array& array, const std::string& section, const std::st
   return nullptr;
 }
 
+// The names of the members, or their numbers where they have none.
+std::string names_of(const toml::array& array, const std::string& section) {
+  std::string out;
+  int boxes = 0;
+  for (std::size_t k = 0; k < array.size(); ++k) {
+    const std::string name = name_of(array[k], section, k, boxes);
+    out += (k > 0 ? ", " : "") + (name.empty() ? std::to_string(k) : name);
+  }
+  return out;
+}
+
 void apply(Document& document, const std::string& text) {
   const Location here{"--set " + text};
   const auto equal = text.find('=');
@@ -89,7 +100,7 @@ void apply(Document& document, const std::string& text) {
       std::string index;
       at = member(*array, path, parts[k], index);
       if (!at)
-        throw InputError(here, key, fmt::format("there is no '{}' among the {} entries", parts[k], array->size()));
+        throw InputError(here, key, fmt::format("there is no '{}'; allowed: {}", parts[k], names_of(*array, path)));
       path += "[" + index + "]";
       if (last) throw InputError(here, key, "a whole section cannot be set; name one of its keys");
       continue;

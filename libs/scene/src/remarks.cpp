@@ -43,6 +43,13 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
         out.push_back(fmt::format(
             "boundary '{}': its factor is {} already at load 0; the first increment takes it whole", b.name, factor));
     }
+  for (const auto& t : scene.tractions)
+    for (const auto& b : scene.boundaries)
+      if (b.on == t.on && b.components()[0] && b.components()[1])
+        out.push_back(
+            fmt::format("traction on '{}': boundary '{}' prescribes all displacements there, so it only adds to "
+                        "the reaction",
+                        t.on, b.name));
   return out;
 }
 

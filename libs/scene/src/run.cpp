@@ -96,6 +96,11 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
   j["increments"] = result.increments;
   j["iterations"] = result.iterations;
   j["cuts"] = result.cuts;
+  for (std::size_t k = 0; k < model.surfaces.laws.size(); ++k) {
+    const auto& law = model.surfaces.laws[k];
+    j["penalties"][model.cracks[k].name] = {{"normal", law.normal_penalty}, {"tangential", law.tangential_penalty}};
+  }
+  j["overlap"] = result.overlap;
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
   if (scene.exact && result.end == RunResult::End::Done) {
@@ -210,6 +215,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   result.load = stepper.state().load;
   result.energies = stepper.state().energies;
+  if (model.has_contact()) result.overlap = stepper.state().deepest / model.surfaces.element_size;
   result.newton_order = median(orders);
   const auto& solver = stepper.solver().seconds();
   const auto iterations = static_cast<double>(std::max(1L, result.iterations - iterations_before));

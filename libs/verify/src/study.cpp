@@ -11,6 +11,7 @@
 #include <set>
 
 #include "cleft/scene/files.hpp"
+#include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
 #include "processes.hpp"
 #include "study_files.hpp"
@@ -151,6 +152,7 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
         throw InputError({study.file}, "cells", "the meshes must get finer; allowed: coarsest first");
       result.runs.push_back(run);
       check_quantities(study, s);
+      (void)scene::build_model(s);  // what only shows on the mesh is said before anything runs
     }
   std::filesystem::create_directories(options.directory + "/runs");
   result.failed = run_all(study, options, tasks, result.runs);

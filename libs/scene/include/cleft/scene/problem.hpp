@@ -17,7 +17,7 @@ std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& mod
 
 /// What is allowed but may surprise, one line each: ends of cracks that were moved, no friction, penalties so stiff
 /// that the pressure oscillates (on the block with 16 x 32 cells its total variation grows fourfold at ten times E/h
-/// and the iteration fails at fifty), displacements that are not zero at load 0.
+/// and the iteration fails at fifty), displacements that are not zero at load 0, tractions where nothing can move.
 std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model);
 
 assembly::StepControls step_controls(const Scene& scene);

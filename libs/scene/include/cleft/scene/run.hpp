@@ -41,6 +41,7 @@ struct RunResult {
   double worst_residual = 0.0;
   double newton_order = 0.0;  ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;
+  double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements
   double seconds = 0.0;
   double yardstick = 0.0;             ///< iterations times one factorisation and solve, seconds
   double bulk_microseconds = 0.0;     ///< assembly with tangent, per cell and iteration
