@@ -1,5 +1,5 @@
 # The libraries of cleft, lowest first, and for each the libraries that it may use directly. An arrow that is not in
-# this table is refused: by `cleft_library` when a library declares it, and by the test `arrows` when an #include draws it.
+# this table is refused: by `cleft_library` when a library declares it, and by the test `build.Includes.FollowTheDeclaredArrows` when an #include draws it.
 
 set(CLEFT_LIBRARIES support geometry enrichment constitutive contact assembly scene verify)
 

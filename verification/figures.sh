@@ -11,7 +11,7 @@ mkdir -p "$out"
 run() {
   local name=$1 cells=$2 side=$3
   shift 3
-  [[ -f $out/$name/run.json ]] && return
+  grep -qs '"end": "done"' "$out/$name/run.json" && return
   say "block, $cells x $((2 * cells)) cells, negative side $side $*"
   build/release/bin/cleft run verification/scenes/block.toml --set "mesh.cells=[$cells,$((2 * cells))]" \
     --set "crack.main.negative_side=$side" "$@" -o "$out/$name" 2> "$out/$name.log"

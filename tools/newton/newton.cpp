@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 #include "cleft/scene/read.hpp"
 #include "cleft/scene/run.hpp"
@@ -58,14 +59,19 @@ struct TemporaryFolder {
   }
 };
 
-std::vector<verify::IncrementRate> rates_of_scene(const Options& options) {
+// Nothing if the solution did not get to its end.
+std::optional<std::vector<verify::IncrementRate>> rates_of_scene(const Options& options) {
   const auto scene = verify::until_rounding(scene::read_scene(options.subject, options.overrides));
   const TemporaryFolder temporary;
   scene::RunOptions run;
   run.directory = options.directory.empty() ? temporary.path : options.directory;
   const auto result = scene::run(scene, run);
-  if (result.end != scene::RunResult::End::Done)
-    fmt::print("the run ended at load {:.6g}: {}\n", result.load, assembly::describe(result.failure));
+  if (result.end != scene::RunResult::End::Done) {
+    const bool unwritten = result.end == scene::RunResult::End::NotWritten;
+    fmt::print(stderr, "the run ended at load {:.6g}: {}\n", result.load,
+               unwritten ? result.unwritten : assembly::describe(result.failure));
+    return std::nullopt;
+  }
   return verify::newton_rates(run.directory);
 }
 
@@ -74,8 +80,9 @@ int newton(const Options& options) {
   if (is_folder && !(options.overrides.empty() && options.directory.empty()))
     throw std::runtime_error(options.subject +
                              ": the folder of a run, which is only read; --set and -o go with a scene");
-  const auto rates = is_folder ? verify::newton_rates(options.subject) : rates_of_scene(options);
-  const auto verdict = verify::judge(rates, options.required);
+  const auto rates = is_folder ? std::optional(verify::newton_rates(options.subject)) : rates_of_scene(options);
+  if (!rates) return kFailed;
+  const auto verdict = verify::judge(*rates, options.required);
   print(verdict, options);
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",

@@ -78,10 +78,11 @@ int solve(const Options& options) {
     spdlog::warn("the crack's faces overlap by {:.2g} element sizes: the penalty is too soft for these loads",
                  result.overlap);
   if (result.end == scene::RunResult::End::Done) return kDone;
+  const char* const go_on = result.increments > 0 ? "go on with --resume" : "run again";
   if (result.end == scene::RunResult::End::Stopped)
-    spdlog::warn("interrupted at load {:.6g}; go on with --resume", result.load);
+    spdlog::warn("interrupted at load {:.6g}; {}", result.load, go_on);
   else if (result.end == scene::RunResult::End::NotWritten)
-    spdlog::error("stopped at load {:.6g}: {}; mend that and go on with --resume", result.load, result.unwritten);
+    spdlog::error("stopped at load {:.6g}: {}; mend that and {}", result.load, result.unwritten, go_on);
   else
     spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure),
                   result.failure.advice);

@@ -31,6 +31,12 @@ TEST(NewtonVerb, DoesNotJudgeIterationsThatStopEarly) {
   EXPECT_NE(o.text.find("fewer than half of the increments can be judged"), std::string::npos) << o.text;
 }
 
+TEST(NewtonVerb, SaysWhenTheSolutionFails) {
+  const Outcome o = call("newton " + kScenes + "plain.toml --set boundary.top.uy=-0.2 --set solver.min_step=0.05");
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.text.find("the run ended at load"), std::string::npos) << o.text;
+}
+
 TEST(NewtonVerb, RefusesOptionsThatMeanNothing) {
   const std::string out = fresh("newton_options");
   ASSERT_EQ(call("run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + out).code, 0);

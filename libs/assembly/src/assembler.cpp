@@ -20,10 +20,6 @@ void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face,
   for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
 }
 
-bool presses(const contact::Pair& pair) {
-  return pair.partner_face != kNone && pair.state.traction.status != contact::Status::Open;
-}
-
 }  // namespace
 
 Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
@@ -91,7 +87,7 @@ void Assembler::make_room(const std::vector<contact::Memory>& memory) {
 bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
-    if (!presses(pair)) continue;
+    if (!contact::presses(pair)) continue;
     const auto& faces = room_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
     const bool sticks = pair.state.traction.status == contact::Status::Stick;
@@ -171,7 +167,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
   std::array<Column, 12> columns;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
-    if (!presses(pair)) continue;
+    if (!contact::presses(pair)) continue;
     const auto index = static_cast<Index>(p);
     const auto force =
         contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),

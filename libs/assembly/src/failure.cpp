@@ -13,8 +13,6 @@ std::string describe(const Failure& failure) {
         return "the tangent matrix is singular";
       case FailureKind::NotFinite:
         return "a value is not finite";
-      case FailureKind::StepTooSmall:
-        return "the load increment became too small";
     }
     return "unknown failure";
   }();

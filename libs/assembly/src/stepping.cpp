@@ -94,7 +94,7 @@ void LoadStepper::commit(double load, const Increment& increment) {
         contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.contact[p]);
     const auto& law = model_.surfaces.laws[model_.surfaces.faces[model_.surfaces.points[p].face].crack];
     const double weight = model_.surfaces.points[p].weight;
-    if (pairs_[p].partner_face != kNone && s.traction.status != contact::Status::Open) {
+    if (contact::presses(pairs_[p])) {
       energies.contact += 0.5 * weight * s.ramp *
                           (s.traction.normal * s.traction.normal / law.normal_penalty +
                            s.traction.tangential * s.traction.tangential / law.tangential_penalty);

@@ -131,7 +131,9 @@ TEST(LoadStepper, FailuresNameTheElementThatInverts) {
   }
   ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
   EXPECT_LT(stepper.state().load, 1.0);
-  EXPECT_NE(describe(std::get<Failure>(outcome)).find("last converged"), std::string::npos);
+  EXPECT_EQ(std::get<Failure>(outcome).kind, FailureKind::Inverted);
+  for (const char* text : {"element ", "last converged"})
+    EXPECT_NE(describe(std::get<Failure>(outcome)).find(text), std::string::npos) << text;
   EXPECT_FALSE(std::get<Failure>(outcome).advice.empty());
 }
 

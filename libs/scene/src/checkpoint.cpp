@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 2\n";
+constexpr char kMagic[] = "cleft checkpoint 3\n";
 
 struct Writer {
   std::string out;

@@ -102,7 +102,9 @@ void apply(Document& document, const std::string& text) {
       if (!at)
         throw InputError(here, key, fmt::format("there is no '{}'; allowed: {}", parts[k], names_of(*array, path)));
       path += "[" + index + "]";
-      if (last) throw InputError(here, key, "a whole section cannot be set; name one of its keys");
+      if (last)
+        throw InputError(
+            here, key, at->is_table() ? "a whole section cannot be set; name one of its keys" : "set the whole array");
       continue;
     }
     auto* table = at->as_table();

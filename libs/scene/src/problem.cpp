@@ -16,13 +16,21 @@ constexpr double kSineTolerance = 0.01;  // of the element size: how far the sam
 
 double element_size(const geometry::Mesh& mesh, Index t) { return std::sqrt(2.0 * geometry::triangle_area(mesh, t)); }
 
+std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, const geometry::Mesh& mesh) {
+  if (!spec.sine) return spec.points;
+  try {
+    return geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude, spec.sine->periods,
+                                kSineTolerance * element_size(mesh, 0));
+  } catch (const InputError&) {
+    throw InputError(spec.at, fmt::format("crack[{}].amplitude", number),
+                     "the curve is too long for this mesh; allowed: amplitudes and periods of the body's size");
+  }
+}
+
 std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh) {
   std::vector<geometry::Crack> cracks;
-  for (const auto& spec : scene.cracks)
-    cracks.push_back({spec.name, spec.sine
-                                     ? geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude,
-                                                            spec.sine->periods, kSineTolerance * element_size(mesh, 0))
-                                     : spec.points});
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k)
+    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, mesh)});
   return cracks;
 }
 
@@ -54,15 +62,18 @@ void set_up_contact(const Scene& scene, assembly::Model& m) {
   s.points = contact::place_points(s, scene.solver.gauss_points);
 }
 
-// A node's unknowns on a boundary: its own, and its ghost where a crack crosses an edge of that boundary beside it.
-std::vector<Index> boundary_unknowns(const assembly::Model& m, const std::string& on) {
-  std::vector<Index> unknowns = geometry::boundary_nodes(m.mesh, on);
-  for (const auto& [a, b] : m.mesh.boundaries.at(on)) {
-    const auto at_a = m.unknowns.side_of[a], at_b = m.unknowns.side_of[b];
-    if (!at_a || !at_b || *at_a == *at_b) continue;
-    for (const Index node : {a, b})
-      if (m.unknowns.ghost[node] != kNone) unknowns.push_back(m.unknowns.ghost[node]);
-  }
+// The unknowns of nodes whose displacement is prescribed: their own, and the ghosts of two that a crack divides.
+std::vector<Index> prescribed_unknowns(const assembly::Model& m, std::vector<Index> unknowns) {
+  std::vector<bool> held(m.mesh.nodes.size(), false);
+  for (const Index node : unknowns) held[node] = true;
+  for (const auto& element : m.cut.elements)
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3;
+      const auto& corner = m.mesh.triangles[element.element];
+      if (!held[corner[k]] || !held[corner[l]] || element.node_side[k] == element.node_side[l]) continue;
+      for (const Index node : {corner[k], corner[l]})
+        if (m.unknowns.ghost[node] != kNone) unknowns.push_back(m.unknowns.ghost[node]);
+    }
   std::sort(unknowns.begin(), unknowns.end());
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
   return unknowns;
@@ -157,8 +168,9 @@ assembly::Model build_model(const Scene& scene) {
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const auto& b = scene.boundaries[k];
     if (b.field) refuse_reversed_cracks(*b.field, m.cracks);
-    assembly::Prescribed p{b.name, b.box ? geometry::nodes_in_box(m.mesh, *b.box) : boundary_unknowns(m, b.on),
-                           b.components(), displacement_of(b, constants)};
+    auto nodes = b.box ? geometry::nodes_in_box(m.mesh, *b.box) : geometry::boundary_nodes(m.mesh, b.on);
+    assembly::Prescribed p{b.name, prescribed_unknowns(m, std::move(nodes)), b.components(),
+                           displacement_of(b, constants)};
     if (p.unknowns.empty())
       throw InputError(b.at, fmt::format("boundary[{}].box", k),
                        "no node lies in the box; allowed: a box around at least one node");
@@ -177,6 +189,7 @@ assembly::Model build_model(const Scene& scene) {
                             a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
   }
   if (scene.exact) {
+    (void)make_field(*scene.exact, constants);  // its parameters are wrong now or not at all
     refuse_reversed_cracks(*scene.exact, m.cracks);
     add_loads_of(*scene.exact, m);
   }

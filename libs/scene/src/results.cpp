@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace cleft::scene {
 namespace {
@@ -79,12 +80,12 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
   for (const Vec2& r : stepper.reactions()) row += fmt::format(",{},{}", r.x(), r.y());
   const auto& e = stepper.state().energies;
   int touching = 0, slipping = 0;
-  double slip = 0.0, gap = 0.0, pressure = 0.0;
+  double slip = 0.0, gap = std::numeric_limits<double>::quiet_NaN(), pressure = 0.0;
   for (const auto& q : profile(stepper)) {
     touching += q.status != contact::Status::Open;
     slipping += q.status == contact::Status::Slip;
     slip = std::max(slip, q.slip);
-    if (!std::isnan(q.gap)) gap = std::min(gap, q.gap);
+    gap = std::fmin(gap, q.gap);  // of one number and NaN it takes the number
     pressure = std::max(pressure, q.pressure);
   }
   row += fmt::format(",{},{},0,0,{},{},{},{},{},{},{},0\n", e.elastic, e.contact, e.friction_dissipation,

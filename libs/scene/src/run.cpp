@@ -151,6 +151,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.iterations = kept.iterations;
   result.cuts = kept.cuts;
   result.worst_residual = kept.worst_residual;
+  result.load = stepper.state().load;
+  result.energies = stepper.state().energies;
   const long iterations_before = kept.iterations;
   const double load_before = stepper.state().load;
   std::vector<double> orders;
@@ -181,6 +183,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
       break;
     }
     const auto& step = std::get<assembly::Step>(outcome);
+    const RunResult saved = result;
     result.increments = step.number;
     result.iterations += static_cast<long>(step.iterations.size());
     result.cuts += step.cuts;
@@ -190,9 +193,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
       orders.push_back(seen->order);
     progress.contact_points =
-        static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), [](const contact::Pair& p) {
-          return p.partner_face != kNone && p.state.traction.status != contact::Status::Open;
-        }));
+        static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), contact::presses));
     try {
       const PhaseTimer timer(seconds.write);
       results.add_step(step, stepper);
@@ -206,15 +207,16 @@ RunResult run(const Scene& scene, const RunOptions& options) {
                      results.log_bytes(), results.outputs()};
       write_atomically(checkpoint_path, to_bytes(now));
     } catch (const std::runtime_error& error) {
+      result = saved;  // what the last checkpoint holds
       result.end = RunResult::End::NotWritten;
       result.unwritten = error.what();
       break;
     }
+    result.load = stepper.state().load;
+    result.energies = stepper.state().energies;
     tell(0, step.left.residual);
   }
 
-  result.load = stepper.state().load;
-  result.energies = stepper.state().energies;
   if (model.has_contact()) result.overlap = stepper.state().deepest / model.surfaces.element_size;
   result.newton_order = median(orders);
   const auto& solver = stepper.solver().seconds();
@@ -231,7 +233,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.peak_megabytes = peak_megabytes();
   result.seconds = clock.seconds();
   try {
-    write_atomically(results.path("run.json"), summary(scene, stepper, result, seconds).dump(2) + "\n");
+    write_atomically(
+        results.path("run.json"),
+        summary(scene, stepper, result, seconds).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+            "\n");
   } catch (const std::runtime_error& error) {
     result.end = RunResult::End::NotWritten;
     result.unwritten = error.what();

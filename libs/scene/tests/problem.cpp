@@ -30,6 +30,10 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
        "[[crack]]"},
       {"[[traction]]", "[[boundary]]\non = \"left\"\nuy = 0.001\n[[traction]]", "boundary[2]",
        "prescribes uy at the node", "on = \"left\""},
+      {"[loading]", "[exact]\nsolution = { name = \"mode-I\", Kk = 1.0 }\n[loading]", "field.Kk", "no such parameter",
+       "solution ="},
+      {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = [0.03, 0.02]\namplitude = 1e14", "crack[0].amplitude",
+       "too long for this mesh", "[[crack]]"},
       {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "field", "there is no field 'wafes'", "field = \"wafes\""},
   };
   for (const auto& [from, to, key, problem, mark] : faults) {
@@ -44,6 +48,21 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
       EXPECT_NEAR(error.location().line, line_of(text, mark), 1) << error.what();
     }
   }
+}
+
+// Two cracks that leave the body on one side: each divides its own edge of it, and no other.
+TEST(Problem, HoldsTheGhostsOfTheEdgesThatEachCrackDivides) {
+  const std::string text =
+      "[mesh]\nbox = [0, 0, 1, 1]\ncells = [10, 10]\ndiagonal = \"left\"\n[material]\nmodel = \"hencky\"\nyoung = 1e9\n"
+      "poisson = 0.25\n[[crack]]\nname = \"a\"\npoints = [[0, 0.33], [0.11, 0.484]]\n[[crack]]\nname = \"b\"\n"
+      "points = [[0, 0.63], [0.25, 0.63]]\n[[boundary]]\non = \"left\"\nux = 0.0\nuy = 0.0\n";
+  const auto near = build_model(scene_of(text));
+  const auto apart = build_model(scene_of(text, {"crack.b.points=[[0,0.83],[0.25,0.83]]"}));
+  EXPECT_EQ(near.prescribed[0].unknowns.size(), 11u + 4u);
+  EXPECT_EQ(apart.prescribed[0].unknowns.size(), 11u + 4u);
+  // a box around the same nodes holds the same
+  const auto boxed = build_model(scene_of(replaced(text, "on = \"left\"", "box = [0, 0, 0, 1]")));
+  EXPECT_EQ(boxed.prescribed[0].unknowns, near.prescribed[0].unknowns);
 }
 
 TEST(Problem, TractionAndGravityHaveTheirResultantsAcrossACut) {
@@ -73,6 +92,8 @@ TEST(Problem, RemarksOnWhatMaySurprise) {
   EXPECT_NE(
       all(replaced(kBlock, "uy = -0.005", "uy = -0.005\namplitude = [[0, 0.5], [1, 1]]")).find("already at load 0"),
       std::string::npos);
+  const std::string through = replaced(kBlock, "[0.0349, 0.05323]", "[0.0399, 0.05823]");
+  EXPECT_NE(all(through).find("lies in an element at the boundary"), std::string::npos) << all(through);
   EXPECT_EQ(all(kPlain), "");
 }
 

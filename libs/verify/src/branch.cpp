@@ -4,11 +4,7 @@
 
 namespace cleft::verify {
 
-using contact::Status;
-
-bool presses(const contact::Pair& pair) {
-  return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
-}
+using contact::presses, contact::Status;
 
 const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
   if (presses(a) != presses(b)) return "opens or closes";

@@ -8,9 +8,6 @@
 
 namespace cleft::verify {
 
-/// Whether a pair has a force.
-bool presses(const contact::Pair& pair);
-
 /// Why the force of a contact point is not differentiable between two of its states: what changes from one to the
 /// other. Null if nothing does.
 const char* kink_between(const contact::Pair& a, const contact::Pair& b);

@@ -17,7 +17,7 @@ inline Mat2 cauchy(const Mat2& piola, const Mat2& deformation) {
   return piola * deformation.transpose() / det(deformation);
 }
 
-/// Cofactor matrix as a linear map on (F_11, F_21, F_12, F_22): vec(cof F) = kCofactor vec(F). In the plane the
+/// Cofactor matrix as a linear map on (F_11, F_21, F_12, F_22): vec(cof F) = cofactor_map() vec(F). In the plane the
 /// cofactor is linear in F, so this is also its derivative.
 inline Mat4 cofactor_map() {
   Mat4 m = Mat4::Zero();

@@ -16,6 +16,11 @@ struct Pair {
   PairState state;
 };
 
+/// Whether the point has a partner and is not open.
+inline bool presses(const Pair& pair) {
+  return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
+}
+
 /// Current positions of all faces' ends.
 struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres
