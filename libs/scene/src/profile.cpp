@@ -111,7 +111,7 @@ VtuGrid face_grid(const assembly::Model& m, const VecX& displacement, const std:
       grid.points.push_back(x);
       push(u, stencil.displacement(displacement));
     }
-    const double n = std::fmax(1.0, count[f]);
+    const double n = count[f] > 0.0 ? count[f] : std::numeric_limits<double>::quiet_NaN();  // the other face has them
     crack.values.push_back(face.crack);
     side.values.push_back(face.side == geometry::Side::Left ? 1.0 : 0.0);
     pressure.values.push_back(p[f] / n);

@@ -30,6 +30,14 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     ASSERT_EQ(result.end, RunResult::End::Stopped);
   }
   EXPECT_GT(parts, 3);
+  const auto total = [&] {
+    const std::string json = read_bytes(folder / "parts" + "/run.json"), key = "\"total\": ";
+    return std::stod(json.substr(json.find(key) + key.size()));
+  };
+  const double seconds = total();
+  stop = false;
+  (void)run(scene, options);  // there is nothing left to do
+  EXPECT_GT(total(), 0.5 * seconds) << "the seconds of all parts add up";
   for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd", "fields_0001.vtu"})
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }

@@ -18,8 +18,8 @@ constexpr std::array kStarts{0.5, 1.0, 2.0, 3.5};  // of p
 
 // 97.5 % quantiles of Student's t for 1, 2, ... degrees of freedom.
 double student(std::size_t freedom) {
-  constexpr std::array table{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-  if (freedom <= table.size()) return table[freedom - 1];
+  constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
+  if (freedom <= kTable.size()) return kTable[freedom - 1];
   return 1.960 + 2.4 / static_cast<double>(freedom);  // within 1 % from here on
 }
 

@@ -29,7 +29,8 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper);
 /// its own points.
 VtuGrid bulk_grid(const assembly::Model& model, const VecX& displacement);
 
-/// Both faces of every crack as lines with displacement, side, pressure and tractions.
+/// Both faces of every crack as lines with displacement and side, and with pressure and tractions where the face
+/// carries contact points (NaN on the other).
 VtuGrid face_grid(const assembly::Model& model, const VecX& displacement, const std::vector<ProfilePoint>& points);
 
 }  // namespace cleft::scene
