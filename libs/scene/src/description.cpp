@@ -103,7 +103,7 @@ std::array<bool, 2> BoundarySpec::components() const {
 std::string to_json(const Scene& scene) {
   Json j{{"title", scene.title}, {"file", scene.file}};
   j.update(physics(scene));
-  return j.dump(2);
+  return j.dump(2, ' ', false, Json::error_handler_t::replace);  // file names may be anything
 }
 
 std::string scene_hash(const Scene& scene) {

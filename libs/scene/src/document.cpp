@@ -200,7 +200,8 @@ double Section::number_of(const toml::node& n, std::string_view key, const char*
     throw InputError(document_->locate(n, path(key)), path(key), fmt::format("{}; allowed: {}", what, allowed));
   };
   if (!n.is_number()) wrong("not a number");
-  const double value = *n.value<double>();
+  // not value<double>(), which has nothing for integers that a double cannot hold exactly
+  const double value = n.is_integer() ? static_cast<double>(n.as_integer()->get()) : n.as_floating_point()->get();
   if (!std::isfinite(value)) wrong("not a finite number");
   return value;
 }

@@ -12,6 +12,10 @@ TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
   EXPECT_NEAR(model.surfaces.laws[0].tangential_penalty, 1e10 / 0.01, 1e-3);
 }
 
+TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
+  EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).material.young, 9007199254740992.0);
+}
+
 struct Fault {
   const char* from;
   const char* to;

@@ -89,6 +89,13 @@ TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
   EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"failed\""), std::string::npos);
 }
 
+TEST(Run, OfASceneWhoseFileNameIsNotUtf8LeavesItsSummary) {
+  const Folder folder;
+  const std::string file = folder.write("sc\xff.toml", kPlain);
+  EXPECT_EQ(run(read_scene(file), into(folder / "run")).end, RunResult::End::Done);
+  EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"done\""), std::string::npos);
+}
+
 TEST(Run, TellsItsRemarksBeforeTheFirstIncrement) {
   const Folder folder;
   RunOptions options = into(folder / "run");
