@@ -96,6 +96,8 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
       {"crack.0.frction=1", "crack[0].frction", "did you mean 'friction'?"},
       {"loading.outputs=[2.0]", "loading.outputs", "out of order"},
       {"boundary.1.amplitude=[[1, 0], [0, 1]]", "boundary[1].amplitude", "out of order"},
+      {"material.poisson=0.6", "material.poisson", "out of range"},
+      {"mesh.size=1", "mesh.size", "not available in this version"},
       {"mesh=3", "mesh", "not a section"},
       {"material=[]", "material", "one [material] section"},
       {"crack.main.growth={ criterion = 'rankine' }", "crack[0].growth", "not available in this version"},
@@ -108,6 +110,26 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
     EXPECT_EQ(error.location().file, std::string("--set ") + wrong.text);
     EXPECT_EQ(error.location().line, 0);
   }
+}
+
+TEST(SceneOverride, ReplacesKeysAndAddsThemAndTheirSections) {
+  const Scene scene = scene_of(kPlain + "[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n",
+                               {"mesh.cells=[32,64]", "crack.main.friction=0.7", "boundary.bottom.uy=-0.02",
+                                "crack.0.negative_side=left", "solver.max_iterations=7"});
+  EXPECT_EQ(scene.mesh.cells, (std::array{32, 64}));
+  EXPECT_EQ(scene.cracks[0].friction, 0.7);
+  EXPECT_EQ(scene.cracks[0].negative_side, contact::NegativeSide::Left);
+  EXPECT_EQ(scene.boundaries[0].uy, -0.02);
+  EXPECT_EQ(scene.solver.max_iterations, 7);
+}
+
+TEST(SceneOverride, FaultsOfASectionThatItMakesAreReportedAtIt) {
+  const Folder folder;
+  const std::string file = folder.write("scene.toml", kPlain);
+  const auto error = error_of(file, {"gravity.density=2700"});
+  EXPECT_EQ(error.key(), "gravity.value");
+  EXPECT_EQ(error.location().file, "--set gravity.density=2700");
+  EXPECT_NE(error.problem().find("missing"), std::string::npos) << error.what();
 }
 
 TEST(SceneOverride, DefaultNamesServeToo) {
