@@ -24,9 +24,9 @@ struct Options {
 std::string evidence(const verify::IncrementRate& rate) {
   std::string text = fmt::format("  increment {:4}  load {:8.5f}  order ", rate.step, rate.load);
   text += rate.order ? fmt::format("{}{:.2f}", rate.order->at_least ? ">= " : "", rate.order->order) : "-";
-  text += "   residual/correction";
+  text += "   residual/gradient of the correction";
   for (const auto& it : rate.iterations)
-    text += fmt::format(" {:.0e}/{:.0e}{}", it.residual, it.correction,
+    text += fmt::format(" {:.1e}/{:.1e}{}", it.residual, it.gradient,
                         it.partner_changes + it.status_changes > 0 ? "*" : "");
   return text;
 }
@@ -34,8 +34,10 @@ std::string evidence(const verify::IncrementRate& rate) {
 void print(const verify::RateVerdict& v, const Options& options) {
   fmt::print("increments {}, judged {}", v.increments, v.judged);
   if (v.judged > 0)
-    fmt::print(", order {:.4g} or more in {} of them; lowest {:.2f}, median {:.2f}, highest {:.2f}",
-               options.required.order, v.reach, v.lowest, v.median, v.highest);
+    fmt::print(
+        " ({} by a lower bound), order {:.4g} or more in {} of them\norder: lowest {:.2f}, quartiles {:.2f}, {:.2f}, "
+        "{:.2f}, highest {:.2f}",
+        v.bounds, options.required.order, v.reach, v.orders[0], v.orders[1], v.orders[2], v.orders[3], v.orders[4]);
   fmt::print("\n");
   if (!v.missed.empty()) fmt::print("below the order (* after a change of partner or status):\n");
   for (const auto& rate : v.missed) fmt::print("{}\n", evidence(rate));
@@ -87,7 +89,7 @@ int newton(const Options& options) {
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",
              !verdict.enough ? "fewer than half of the increments can be judged"
-             : verdict.lowest < options.required.least
+             : verdict.lowest() < options.required.least
                  ? fmt::format("an order below {:.4g}", options.required.least)
                  : fmt::format("fewer than {:.0f} % reach the order", 100 * options.required.share));
   return kCheckFailed;

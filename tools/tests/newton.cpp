@@ -19,7 +19,7 @@ TEST(NewtonVerb, ReadsTheFolderOfARunAndShowsWhatMisses) {
   const Outcome strict = call("newton " + out + " --order 2.2");
   EXPECT_EQ(strict.code, 1);
   EXPECT_NE(strict.text.find("fewer than 90 % reach the order"), std::string::npos) << strict.text;
-  EXPECT_NE(strict.text.find("residual/correction "), std::string::npos) << "the evidence";
+  EXPECT_NE(strict.text.find("residual/gradient of the correction "), std::string::npos) << "the evidence";
   EXPECT_EQ(call("newton " + out + " --least 1.99").code, 1);
 }
 

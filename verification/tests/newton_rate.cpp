@@ -24,7 +24,7 @@ TEST_P(NewtonRate, IsQuadraticInNineOfTenIncrements) {
   table.compare("share of the increments of order 1.8 or more",
                 static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
                 within(0.1, "three errors show an order only about"));
-  table.compare("lowest order", verdict.lowest, exact(2.0), within(0.5, "the same, on the worst increment"));
+  table.compare("lowest order", verdict.lowest(), exact(2.0), within(0.5, "the same, on the worst increment"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, NewtonRate,

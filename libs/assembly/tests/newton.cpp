@@ -81,6 +81,32 @@ TEST(ConvergenceOrder, JudgesByTheLargestGradientAndBoundsByTheBetterOfBothNorms
   EXPECT_NEAR(bound->order, 4.0 / 2.0, 1e-12) << "in displacements it would be 4/3";
 }
 
+TEST(ConvergenceOrder, ForgetsAllButTheLastThree) {
+  EXPECT_NEAR(convergence_order(iterations({{1, 1, 0}, {1, 0.5, 0}, {1, 1e-2, 0}, {1, 2e-6, 0}}))->order,
+              std::log(5000.0) / std::log(50.0), 1e-12);
+}
+
+TEST(ConvergenceOrder, TakesACorrectionThatTheNextOneUndercutsTenfoldForNoRounding) {
+  const std::vector<std::array<double, 3>> start{{1e-2, 1e-2, 0}, {1e-6, 1e-5, 0}, {5e-14, 1e-11, 0}};
+  for (const auto& [next, rounded] : {std::pair{5e-13, false}, {5e-12, true}}) {
+    auto rows = start;
+    rows.push_back({5e-14, next, 0});
+    const auto order = convergence_order(iterations(rows));
+    EXPECT_NEAR(order->order, 2.0, 1e-12);
+    EXPECT_EQ(order->at_least, rounded) << "next " << next;
+  }
+}
+
+TEST(ConvergenceOrder, TakesTheHigherOfTwoBounds) {
+  auto its = iterations({{1e-2, 1e-2, 0}, {1e-6, 1e-5, 0}, {5e-14, 1e-11, 0}, {5e-14, 5e-12, 0}});
+  its[2].gradient = 1e-10;  // 5/3 in gradients
+  its[3].gradient = 5e-11;
+  EXPECT_NEAR(convergence_order(its)->order, 2.0, 1e-12);
+  its[2].gradient = 1e-12;  // 7/3
+  its[3].gradient = 5e-13;
+  EXPECT_NEAR(convergence_order(its)->order, 7.0 / 3.0, 1e-12);
+}
+
 TEST(ConvergenceOrder, StartsWhereTheContactHasSettled) {
   const auto late = iterations({{1, 1, 0}, {1, 0.5, 0}, {1e-2, 1e-2, 3}, {1e-3, 1e-4, 0}, {1e-6, 1e-8, 0}});
   EXPECT_NEAR(convergence_order(late)->order, 2.0, 1e-12);

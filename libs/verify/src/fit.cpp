@@ -16,6 +16,8 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array kStarts{0.5, 1.0, 2.0, 3.5};  // of p
 
+constexpr int kRounds = 5;  // of scatter and robust fit, each by the other
+
 // 97.5 % quantiles of Student's t for 1, 2, ... degrees of freedom.
 double student(std::size_t freedom) {
   constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
@@ -51,6 +53,15 @@ struct Solution {
   double cost = std::numeric_limits<double>::infinity();
   std::array<double, 3> variance{kNaN, kNaN, kNaN};  // per unit variance of the residuals; NaN if singular
 };
+
+// Scatter by the median of the residuals, which an outlier hardly moves. As many as there are parameters may vanish by
+// the fit alone and do not count.
+double scatter_of(const std::vector<double>& residual, std::size_t parameters) {
+  std::vector<double> size;
+  for (const double r : residual) size.push_back(std::fabs(r));
+  std::sort(size.begin(), size.end());
+  return 1.4826 * size[(parameters + size.size()) / 2];
+}
 
 struct Fit {
   std::vector<double> x, y;
@@ -128,11 +139,13 @@ struct Fit {
       if (Solution s = solve(start(inside), 0.0); s.cost < best.cost) best = s;
     }
     if (x.size() < parameters() + 2) return best;
-    std::vector<double> size;
-    for (const double r : best.residual) size.push_back(std::fabs(r));
-    std::nth_element(size.begin(), size.begin() + static_cast<std::ptrdiff_t>(size.size() / 2), size.end());
-    const double scatter = 1.4826 * size[size.size() / 2];
-    return scatter > 1e-13 ? solve(best, 1.5 * scatter) : best;
+    // the first scatter still contains what an outlier does to the plain fit
+    for (int round = 0; round < kRounds; ++round) {
+      const double scatter = scatter_of(best.residual, parameters());
+      if (scatter <= 1e-13) break;
+      best = solve(best, 1.5 * scatter);
+    }
+    return best;
   }
 };
 

@@ -51,17 +51,17 @@ RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement
     }
     orders.push_back(rate.order->order);
     out.reach += reaches;
+    out.bounds += rate.order->at_least;
     if (!reaches) out.missed.push_back(rate);
   }
   out.judged = orders.size();
   out.enough = 2 * out.judged >= out.increments && out.judged > 0;
   if (orders.empty()) return out;
   std::sort(orders.begin(), orders.end());
-  out.lowest = orders.front();
-  out.median = orders[orders.size() / 2];
-  out.highest = orders.back();
+  for (std::size_t k = 0; k < out.orders.size(); ++k)
+    out.orders[k] = orders[k * (orders.size() - 1) / (out.orders.size() - 1)];
   const double share = static_cast<double>(out.reach) / static_cast<double>(out.judged);
-  out.holds = out.enough && share >= required.share && out.lowest >= required.least;
+  out.holds = out.enough && share >= required.share && out.lowest() >= required.least;
   return out;
 }
 

@@ -26,9 +26,16 @@ TEST(JudgeRates, CountsOrdersAndBoundsThatReachWhatIsRequired) {
   EXPECT_EQ(v.reach, 10u);
   EXPECT_EQ(v.missed.size(), 1u);
   EXPECT_EQ(v.unjudged.size(), 2u);
-  EXPECT_EQ(v.lowest, 1.6);
-  EXPECT_EQ(v.highest, 2.5);
+  EXPECT_EQ(v.bounds, 1u);
+  EXPECT_EQ(v.lowest(), 1.6);
+  EXPECT_EQ(v.orders[4], 2.5);
   EXPECT_TRUE(v.holds);
+}
+
+TEST(JudgeRates, GivesTheQuartilesOfTheOrders) {
+  const auto v = judge({rate(2.4), rate(1.8), rate(2.0), rate(1.9), rate(2.1), rate(1.0, true)}, {});
+  EXPECT_EQ(v.orders, (std::array{1.8, 1.9, 2.0, 2.1, 2.4}));
+  EXPECT_EQ(judge({rate(2.1)}, {}).orders, (std::array{2.1, 2.1, 2.1, 2.1, 2.1}));
 }
 
 TEST(JudgeRates, FailsOnTooFewThatReachOneTooLowAndTooFewThatCanBeJudged) {

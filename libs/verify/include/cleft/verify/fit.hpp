@@ -29,10 +29,10 @@ struct LimitFit {
   std::string remark;       ///< why not, or what to know of the uncertainty
 };
 
-/// Fits by least squares with a robust loss (Huber's, at 1.5 times the scatter; where there are at least two results
-/// more than parameters). Known limits are fitted in relative error, so that every mesh has its say. `h` and `value`
-/// have equal lengths. Throws std::invalid_argument on fewer than two results, on h that are not positive or not
-/// distinct, or on values that are not finite.
+/// Fits by least squares with a robust loss (Huber's, at 1.5 times the scatter that it leaves; where there are at least
+/// two results more than parameters). Known limits are fitted in relative error, so that every mesh has its say. `h`
+/// and `value` have equal lengths. Throws std::invalid_argument on fewer than two results, on h that are not positive
+/// or not distinct, or on values that are not finite.
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options = {});
 
 }  // namespace cleft::verify

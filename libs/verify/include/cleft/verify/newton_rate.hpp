@@ -2,6 +2,7 @@
 /// How fast Newton's iteration converged in a run.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ struct RateRequirement {
 /// An increment is judged if its order is known, or if its lower bound reaches what is required.
 struct RateVerdict {
   std::size_t increments = 0, judged = 0, reach = 0;  ///< those that reach the required order
-  double lowest = 0.0, median = 0.0, highest = 0.0;   ///< of the judged ones
-  std::vector<IncrementRate> missed;                  ///< judged and below the required order
+  std::size_t bounds = 0;                             ///< judged ones of which only a lower bound is known
+  std::array<double, 5> orders{};                     ///< of the judged ones: lowest, quartiles with median, highest
+  double lowest() const { return orders.front(); }
+  std::vector<IncrementRate> missed;  ///< judged and below the required order
   std::vector<IncrementRate> unjudged;
   bool enough = false;  ///< at least half of the increments can be judged
   bool holds = false;
