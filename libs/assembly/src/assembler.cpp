@@ -20,6 +20,10 @@ void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face,
   for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
 }
 
+bool sticks_to_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair, const contact::Memory& memory) {
+  return pair.state.traction.status == contact::Status::Stick && contact::anchored(surfaces, pair, memory);
+}
+
 }  // namespace
 
 Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
@@ -90,7 +94,7 @@ bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
     if (!contact::presses(pair)) continue;
     const auto& faces = room_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
-    const bool sticks = pair.state.traction.status == contact::Status::Stick;
+    const bool sticks = sticks_to_anchor(model_.surfaces, pair, memory[p]);
     if (!holds(pair.partner_face) || !holds(pair.mouth_face) || (sticks && !holds(memory[p].anchor_face))) return false;
   }
   return true;
@@ -98,6 +102,7 @@ bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
 
 std::optional<Failure> Assembler::assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
                                            double deepest) {
+  ++seconds_.assemblies;
   if (model_.has_contact()) {
     {
       const PhaseTimer timer(seconds_.contact);
@@ -184,7 +189,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     add(model_.surfaces.points[p].face, 0, 0, 0, true);
     add(pair.partner_face, 4, 0, 0, true);
     const int rows = count;
-    if (pair.state.traction.status == contact::Status::Stick)
+    if (sticks_to_anchor(model_.surfaces, pair, memory[p]))
       add(memory[p].anchor_face, 8, 1.0 - memory[p].anchor_place, memory[p].anchor_place, false);
     if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
       add(pair.mouth_face, 10, pair.mouth_at_end ? 0.0 : 1.0, pair.mouth_at_end ? 1.0 : 0.0, false);

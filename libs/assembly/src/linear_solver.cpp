@@ -3,9 +3,20 @@
 #include <cholmod.h>
 #include <umfpack.h>
 
+#include <new>
+
 #include "cleft/support/timer.hpp"
 
 namespace cleft::assembly {
+namespace {
+
+// Smallest over largest pivot. A body that may float leaves 1e-13 or less, whatever the mesh; springs 1e6 times as
+// stiff as the elements 1e-11, Poisson's ratio 0.499999 4e-7, slivers of 1e-9 of an element nothing to speak of.
+constexpr double kSingular = 1e-12;
+
+Factors graded(double pivot_ratio) { return pivot_ratio > kSingular ? Factors::Regular : Factors::Doubtful; }
+
+}  // namespace
 
 struct LinearSolver::Data {
   Factorisation kind;
@@ -52,22 +63,25 @@ struct LinearSolver::Data {
     return a;
   }
 
-  bool factorise_general(const BlockMatrix& m) {
+  Factors factorise_general(const BlockMatrix& m) {
     if (!symbolic) {
       const PhaseTimer timer(seconds.analyse);
       ++seconds.analyses;
       // without values: the order depends on the pattern alone, so that a resumed run repeats it exactly
-      umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic,
-                          nullptr, nullptr);
+      if (umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic,
+                              nullptr, nullptr) == UMFPACK_ERROR_out_of_memory)
+        throw std::bad_alloc();
     }
     if (numeric) umfpack_di_free_numeric(&numeric);
     const PhaseTimer timer(seconds.factorise);
+    std::array<double, UMFPACK_INFO> info{};
     const int status = umfpack_di_numeric(m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), symbolic,
-                                          &numeric, nullptr, nullptr);
-    return status == UMFPACK_OK;
+                                          &numeric, nullptr, info.data());
+    if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+    return status == UMFPACK_OK ? graded(info[UMFPACK_RCOND]) : Factors::None;
   }
 
-  bool factorise_symmetric(const BlockMatrix& m) {
+  Factors factorise_symmetric(const BlockMatrix& m) {
     cholmod_sparse a = view(m);
     if (!factor) {
       const PhaseTimer timer(seconds.analyse);
@@ -76,7 +90,9 @@ struct LinearSolver::Data {
     }
     const PhaseTimer timer(seconds.factorise);
     cholmod_factorize(&a, factor, &common);
-    return common.status == CHOLMOD_OK && factor->minor == factor->n;
+    if (common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    const bool positive = common.status == CHOLMOD_OK && factor->minor == factor->n;
+    return positive ? graded(cholmod_rcond(factor, &common)) : Factors::None;
   }
 };
 
@@ -91,15 +107,18 @@ void LinearSolver::new_pattern(long number) {
   cholmod_free_factor(&data_->factor, &data_->common);
 }
 
-bool LinearSolver::factorise(const BlockMatrix& matrix) {
+Factors LinearSolver::factorise(const BlockMatrix& matrix) {
   auto& d = *data_;
   ++d.seconds.factorisations;
   d.positive_definite = false;
   // CHOLMOD takes them for positive definite
-  if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return false;
-  d.positive_definite = d.kind == Factorisation::Symmetric && d.factorise_symmetric(matrix);
-  if (d.positive_definite) return true;
-  if (d.kind == Factorisation::Symmetric) ++d.seconds.unsymmetric_fallbacks;
+  if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return Factors::None;
+  if (d.kind == Factorisation::Symmetric) {
+    const Factors factors = d.factorise_symmetric(matrix);
+    d.positive_definite = factors != Factors::None;
+    if (d.positive_definite) return factors;
+    ++d.seconds.unsymmetric_fallbacks;
+  }
   return d.factorise_general(matrix);
 }
 

@@ -40,7 +40,7 @@ double extent_of(const geometry::Mesh& mesh) {
   return (high - low).norm();
 }
 
-// Where a correction that is too large is largest; empty if none is.
+// Where a correction that is larger than allowed is largest; empty if none is.
 std::string flew_away(const Model& model, const VecX& du, double bound) {
   Eigen::Index worst = 0;
   const double most = du.cwiseAbs().maxCoeff(&worst);
@@ -102,29 +102,39 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
   }
 }
 
+// In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
+bool hides_forces(const RoundingFloor& rounding, double scale) {
+  constexpr double kHidden = 1e-3;  // of the forces
+  constexpr double kStiff = 1e6;    // times the bulk's: springs at E/h have 10 to 100, those at 1e4 E/h below 1e6
+  return rounding.contact > kStiff * rounding.bulk && rounding.contact > kHidden * scale;
+}
+
 }  // namespace
 
-double rounding_floor(const Model& model, const VecX& displacement) {
+double RoundingFloor::total() const { return std::hypot(bulk, contact); }
+
+RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
   // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the
   // size eps |x|, which the penalty turns into forces. Independent errors add up in squares.
   constexpr double kOperations = 16.0;
   const double reach = displacement.cwiseAbs().maxCoeff();
   const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
-  double sum = 0.0;
+  double bulk = 0.0, contact = 0.0;
   for (const auto& cell : model.cells)
     for (const auto& g : cell.gradient) {
       const double steep = g.norm();
       const double force = modulus * cell.area * steep * (kOperations + reach * steep);
-      sum += force * force;
+      bulk += force * force;
     }
   for (const auto& point : model.surfaces.points) {
     const auto& face = model.surfaces.faces[point.face];
     const auto& law = model.surfaces.laws[face.crack];
     const double force =
         point.weight * (law.normal_penalty + law.tangential_penalty) * (face.reference_start.norm() + reach);
-    sum += force * force;
+    contact += force * force;
   }
-  return std::numeric_limits<double>::epsilon() * std::sqrt(sum);
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  return {kEpsilon * std::sqrt(bulk), kEpsilon * std::sqrt(contact)};
 }
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
@@ -166,11 +176,19 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       rhs[c.component] = 0.0;
     }
     const double scale = std::max({std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()});
-    const double floor = rounding_floor(model, u);
+    const RoundingFloor rounding = rounding_floor(model, u);
+    const double floor = rounding.total();
     const double residual = rhs.norm();
     it.residual = residual / std::max(scale, floor);
     it.rounding = floor / std::max(scale, floor);
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
+    if (residual > 0.0 && hides_forces(rounding, scale)) {
+      out.failure = Failure{FailureKind::NoConvergence,
+                            fmt::format("the rounding of the contact springs, {:.1e} N/m, hides the forces, {:.1e} N/m",
+                                        rounding.contact, scale),
+                            "a softer penalty"};
+      return out;
+    }
     if (in_place && i >= controls.min_iterations &&
         (residual <= floor ||
          (it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance))) {
@@ -190,14 +208,15 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const auto& s = solver.seconds();
     const double before = s.analyse + s.factorise + s.solve;
     VecX du;
-    const bool regular = solver.factorise(assembler.matrix());
-    if (regular) du = solver.solve(assembler.matrix(), rhs);
+    const Factors factors = solver.factorise(assembler.matrix());
+    if (factors != Factors::None) du = solver.solve(assembler.matrix(), rhs);
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
-    const bool finite = regular && du.allFinite();
-    const std::string lost = finite ? flew_away(model, du, kFlewAway * reach) : std::string{};
-    if (!finite || !lost.empty()) {
+    const bool finite = factors != Factors::None && du.allFinite();
+    const std::string lost =
+        finite ? flew_away(model, du, factors == Factors::Regular ? kFlewAway * reach : 0.0) : std::string{};
+    if (factors != Factors::Regular || !finite || !lost.empty()) {
       out.failure =
-          Failure{regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
+          Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
                   "prescribing more components, or bringing the parts into contact (is every part of the body held?)"};
       return out;
     }

@@ -11,6 +11,7 @@ namespace cleft::assembly {
 namespace {
 
 constexpr double kSameLoad = 1e-12;
+constexpr double kCrumb = 1e-2;             // of the planned increment: however short that is, it may be cut to this
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 
 std::vector<double> targets_of(const StepControls& controls) {
@@ -37,6 +38,7 @@ LoadStepper::LoadStepper(const Model& model, StepControls controls)
       solver_(factorisation_for(model)),
       state_(state_at_rest(model)) {
   place_.step = 1.0 / controls_.steps;
+  controls_.min_step = std::min(controls_.min_step, kCrumb * place_.step);
 }
 
 void LoadStepper::restore(State state, StepPlace place, ContactRoom room) {

@@ -59,7 +59,7 @@ TEST(LinearSolver, SolvesUnsymmetricAndSymmetricSystems) {
     const BlockMatrix m = random_matrix(9, symmetric, 6.0, dense);
     LinearSolver solver(symmetric ? Factorisation::Symmetric : Factorisation::Unsymmetric);
     solver.new_pattern(1);
-    ASSERT_TRUE(solver.factorise(m));
+    ASSERT_EQ(solver.factorise(m), Factors::Regular);
     const VecX b = VecX::Random(18);
     EXPECT_LT((solver.solve(m, b) - dense.lu().solve(b)).norm(), 1e-12);
     EXPECT_EQ(solver.seconds().unsymmetric_fallbacks, 0);
@@ -71,7 +71,7 @@ TEST(LinearSolver, AnIndefiniteSymmetricMatrixIsStillSolved) {
   const BlockMatrix m = random_matrix(9, true, 0.0, dense);
   LinearSolver solver(Factorisation::Symmetric);
   solver.new_pattern(1);
-  ASSERT_TRUE(solver.factorise(m));
+  ASSERT_EQ(solver.factorise(m), Factors::Regular);
   const VecX b = VecX::Random(18);
   EXPECT_LT((solver.solve(m, b) - dense.lu().solve(b)).norm(), 1e-9);
   EXPECT_EQ(solver.seconds().unsymmetric_fallbacks, 1);
@@ -82,7 +82,7 @@ TEST(LinearSolver, ASingularMatrixIsReported) {
   for (const auto kind : {Factorisation::Unsymmetric, Factorisation::Symmetric}) {
     LinearSolver solver(kind);
     solver.new_pattern(1);
-    EXPECT_FALSE(solver.factorise(zero));
+    EXPECT_EQ(solver.factorise(zero), Factors::None);
   }
 }
 

@@ -176,6 +176,25 @@ TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
   EXPECT_EQ(increment.iterations.size(), 1u);
 }
 
+// Springs may be so stiff that every state is an equilibrium but for their rounding: that is none.
+TEST(Newton, FailsWhereTheRoundingOfTheSpringsHidesTheForces) {
+  for (const auto& [scale, converges] : {std::pair{1.0, true}, {100.0, true}, {1e16, false}}) {
+    Model model = models::block(8, NegativeSide::Left);
+    for (auto& law : model.surfaces.laws) {
+      law.normal_penalty *= scale;
+      law.tangential_penalty *= scale;
+    }
+    Assembler assembler(model);
+    LinearSolver solver(Factorisation::Unsymmetric);
+    const auto increment =
+        solve_increment(model, constraints_of(model), state_at_rest(model), 1e-5, {}, assembler, solver, {});
+    EXPECT_EQ(!increment.failure, converges) << scale;
+    if (!converges && increment.failure) {
+      EXPECT_EQ(increment.failure->advice, "a softer penalty");
+    }
+  }
+}
+
 TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
   const Model model = models::block(8, NegativeSide::Left);
   LoadStepper stepper(model, {});
@@ -191,6 +210,18 @@ TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
   ASSERT_FALSE(increment.failure) << describe(*increment.failure);
   EXPECT_LE(increment.iterations.size(), 1u) << "the moved anchors reproduce the tractions";
   EXPECT_LT((increment.displacement - state.displacement).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(LoadStepper, RetriesHoweverShortThePlannedIncrementsAre) {
+  const Model model = models::block(8, NegativeSide::Left);
+  StepControls controls;
+  controls.steps = 5;
+  controls.min_step = 0.5;  // longer than an increment
+  controls.newton.max_iterations = 4;
+  LoadStepper stepper(model, controls);
+  const auto outcome = stepper.advance();
+  ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+  EXPECT_GT(std::get<Step>(outcome).cuts, 0);
 }
 
 TEST(LoadStepper, WhichSideIsIntegratedHardlyMatters) {

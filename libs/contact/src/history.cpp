@@ -59,7 +59,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     return {next, 0.0};
   }
   double work = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
-  if (memory.anchor_face == kNone) {
+  if (!anchored(surfaces, pair, memory)) {
     next.anchor_face = pair.partner_face;
     next.anchor_place = now.partner;
     return {next, work};

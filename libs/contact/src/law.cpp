@@ -9,7 +9,7 @@ Traction traction(const Law& law, double normal_gap, double tangential_gap, bool
   // closed.
   if (normal_gap >= (anchored ? touch.length : 0.0)) return {};
   const double normal = law.normal_penalty * normal_gap;
-  if (!anchored) return {Status::Slip, normal, 0.0};
+  if (!anchored) return {Status::Stick, normal, 0.0};
   const double trial = law.tangential_penalty * tangential_gap;
   const double strength = law.friction * std::fmax(0.0, -normal);
   if (std::fabs(trial) <= strength + law.tangential_penalty * touch.length) return {Status::Stick, normal, trial};

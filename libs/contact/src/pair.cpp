@@ -71,9 +71,9 @@ PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s)
   const double tn = s.traction.normal, tt = s.traction.tangential;
   const Row d_tn = c.law.normal_penalty * d_normal_gap;
   Row d_tt = Row::Zero();
-  if (s.traction.status == Status::Stick)
+  if (s.traction.status == Status::Stick && c.anchored)
     d_tt = c.law.tangential_penalty * (f.t.transpose() * (d_anchor - dy) + (p.anchor - f.y).dot(f.n) * spin);
-  else if (tt != 0.0)
+  else if (s.traction.status == Status::Slip)
     d_tt = -c.law.friction * std::copysign(1.0, tt) * d_tn;
 
   Vec2 t0 = tn * f.n + tt * f.t;

@@ -151,7 +151,7 @@ PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, 
                     point.share_begin,
                     point.share_end,
                     face.normal_sign(),
-                    memory.anchor_face != kNone,
+                    anchored(surfaces, pair, memory),
                     0};
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];

@@ -50,6 +50,21 @@ TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
   });
 }
 
+TEST_P(History, AnAnchorOnAnotherCrackHoldsNothing) {
+  const auto was = s.memory;
+  for (auto& memory : s.memory) memory.anchor_face = static_cast<Index>(s.surfaces.faces.size());
+  auto elsewhere = s.surfaces.faces.front();
+  elsewhere.crack = 1;
+  s.surfaces.faces.push_back(elsewhere);
+  go(0.6 * kElastic);
+  each([&](std::size_t p) {
+    EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
+    EXPECT_EQ(tangential(p), 0.0);
+  });
+  s.commit();
+  each([&](std::size_t p) { EXPECT_EQ(s.memory[p].anchor_face, s.pairs[p].partner_face) << "it takes hold anew"; });
+}
+
 TEST_P(History, AReversalUnloadsFromTheTractionReachedAndSlidesBackAfterTwiceTheElasticGap) {
   go(0.1);
   s.commit();

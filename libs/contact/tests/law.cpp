@@ -32,6 +32,7 @@ TEST(PenaltyLaw, SlipReturnsTractionToConeInTheSenseOfTheGap) {
 
 TEST(PenaltyLaw, AFirstTouchHasPressureOnly) {
   const Traction t = traction(kLaw, -1e-5, 0.0, false, kTouch);
+  EXPECT_EQ(t.status, Status::Stick) << "it takes hold where it is";
   EXPECT_DOUBLE_EQ(t.normal, -2.0e7);
   EXPECT_EQ(t.tangential, 0.0);
 }

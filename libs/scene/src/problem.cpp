@@ -8,6 +8,7 @@
 
 #include "exact.hpp"
 #include "loads.hpp"
+#include "supports.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -110,6 +111,21 @@ void refuse_reversed_cracks(const FieldSpec& spec, const std::vector<geometry::C
                       crack.name, spec.name));
 }
 
+// Where two boundaries could differ most: between the points of their amplitudes both are linear, but for rotations.
+std::vector<double> loads_to_compare(const BoundarySpec& a, const BoundarySpec& b) {
+  std::vector<double> loads;
+  for (int k = 1; k <= 20; ++k) loads.push_back(k / 20.0);
+  const auto add = [&](const Amplitude& amplitude) {
+    for (const auto& [load, factor] : amplitude.points)
+      if (load > 0.0 && load < 1.0) loads.push_back(load);
+  };
+  for (const auto* boundary : {&a, &b}) {
+    add(boundary->amplitude);
+    if (boundary->rotation) add(boundary->rotation->amplitude);
+  }
+  return loads;
+}
+
 void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
   constexpr double kTolerance = 1e-12;
   const Vec2 extent(scene.mesh.box[2] - scene.mesh.box[0], scene.mesh.box[3] - scene.mesh.box[1]);
@@ -124,8 +140,7 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
           continue;
         }
         const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
-        for (int k = 1; k <= 20; ++k) {
-          const double load = k / 20.0;
+        for (const double load : loads_to_compare(scene.boundaries[p], scene.boundaries[first])) {
           const double gap = std::fabs(assembly::prescribed_value(m, m.prescribed[p], unknown, load)[i] -
                                        assembly::prescribed_value(m, m.prescribed[first], unknown, load)[i]);
           if (gap > kTolerance * extent.norm())
@@ -177,6 +192,10 @@ assembly::Model build_model(const Scene& scene) {
     m.prescribed.push_back(std::move(p));
   }
   refuse_contradictions(scene, m);
+  // who builds a model on a scene without boundaries prescribes by other means
+  if (const auto free = scene.boundaries.empty() ? std::nullopt : free_motion(m))
+    throw InputError(scene.boundaries.back().at, "boundary",
+                     *free + "; allowed: boundaries that together hold every part in x, in y and against turning");
   for (const auto& t : scene.tractions)
     m.dead_loads.push_back(
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });

@@ -143,10 +143,14 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   }
   const std::string checkpoint_path = options.directory + "/checkpoint";
   Checkpoint kept;
-  if (options.resume) kept = read_checkpoint(scene, checkpoint_path);
-  seconds.before = kept.seconds;
+  if (options.resume && !std::filesystem::exists(checkpoint_path))
+    (void)read_bytes(checkpoint_path);  // makes no folder
   const RunFolder folder(options.directory);
-  if (!options.resume) remove_results(options.directory);
+  if (options.resume)
+    kept = read_checkpoint(scene, checkpoint_path);
+  else
+    remove_results(options.directory);
+  seconds.before = kept.seconds;
   assembly::LoadStepper stepper(model, step_controls(scene));
   Results results(model, options.directory, options.resume ? &kept : nullptr);
   if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
@@ -161,7 +165,6 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.worst_residual = kept.worst_residual;
   result.load = stepper.state().load;
   result.energies = stepper.state().energies;
-  const long iterations_before = kept.iterations;
   const double load_before = stepper.state().load;
   std::vector<double> orders;
   Progress progress;
@@ -178,6 +181,14 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     progress.rest = covered > 0.0 ? progress.elapsed * (1.0 - progress.load) / covered : 0.0;
     options.observer(progress);
   };
+
+  const auto keep = [&] {
+    const Checkpoint now{scene_hash(scene),   stepper.state(),  stepper.place(),       stepper.assembler().room(),
+                         result.iterations,   result.cuts,      result.worst_residual, kept.seconds + clock.seconds(),
+                         results.log_bytes(), results.outputs()};
+    write_atomically(checkpoint_path, to_bytes(now));
+  };
+  if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
 
   while (!stepper.done()) {
     if (options.stop && *options.stop) {
@@ -210,10 +221,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
                             return std::fabs(l - step.load) < 1e-12;
                           });
       if (output) results.add_fields(stepper);
-      Checkpoint now{scene_hash(scene),   stepper.state(),  stepper.place(),       stepper.assembler().room(),
-                     result.iterations,   result.cuts,      result.worst_residual, kept.seconds + clock.seconds(),
-                     results.log_bytes(), results.outputs()};
-      write_atomically(checkpoint_path, to_bytes(now));
+      keep();
     } catch (const std::runtime_error& error) {
       result = saved;  // what the last checkpoint holds
       result.end = RunResult::End::NotWritten;
@@ -228,12 +236,9 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   if (model.has_contact()) result.overlap = stepper.state().deepest / model.surfaces.element_size;
   result.newton_order = median(orders);
   const auto& solver = stepper.solver().seconds();
-  const auto iterations = static_cast<double>(std::max(1L, result.iterations - iterations_before));
-  const auto factorisations = static_cast<double>(std::max(1L, solver.factorisations));
-  result.yardstick = iterations * (solver.factorise + solver.solve) / factorisations;
+  result.yardstick = solver.factorise + solver.solve;
   const auto& assembly = stepper.assembler().seconds();
-  // every iteration assembles once, and every increment once more to find that it has converged
-  const double evaluations = iterations + static_cast<double>(result.increments - kept.place.number);
+  const auto evaluations = static_cast<double>(std::max(1L, assembly.assemblies));
   result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.cells.size()));
   if (model.has_contact())
     result.contact_microseconds =

@@ -54,6 +54,44 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
   }
 }
 
+// A body that can move as a whole would do so, by any amount.
+TEST(Problem, RefusesABodyThatIsNotHeld) {
+  const auto refused = [](const std::string& text) -> std::string {
+    try {
+      (void)build_model(scene_of(text));
+    } catch (const InputError& error) {
+      return error.problem();
+    }
+    return "accepted";
+  };
+  const std::string edge = "[[crack]]\npoints = [[0, 0.33], [0.5, 0.33]]\n",
+                    through = "[[crack]]\npoints = [[0, 0.33], [1, 0.33]]\nfriction = 0.3\n";
+  const std::string body =
+      "[mesh]\nbox = [0, 0, 1, 1]\ncells = [4, 4]\n[material]\nmodel = \"hencky\"\nyoung = 1e9\npoisson = 0.25\n";
+  const auto on = [](const char* where, const char* what) -> std::string {
+    return std::string("[[boundary]]\non = \"") + where + "\"\n" + what + "\n";
+  };
+  for (const auto& crack : {std::string{}, edge}) {
+    EXPECT_EQ(refused(body + crack + on("bottom", "uy = 0.0")).find("the body moves freely in x"), 0u);
+    EXPECT_EQ(refused(body + crack + on("bottom", "ux = 0.0")).find("the body moves freely in y"), 0u);
+    EXPECT_EQ(refused(body + crack + "[[boundary]]\nbox = [0, 0, 0, 0]\nux = 0.0\nuy = 0.0\n").find("the body turns"),
+              0u);
+    EXPECT_EQ(refused(body + crack + on("bottom", "ux = 0.0\nuy = 0.0")), "accepted");
+    EXPECT_EQ(refused(body + crack + on("bottom", "uy = 0.0") + on("left", "ux = 0.0")), "accepted");
+  }
+  EXPECT_EQ(refused(body + through + on("bottom", "ux = 0.0\nuy = 0.0")), "accepted")
+      << "friction may hold the upper part";
+  EXPECT_EQ(
+      refused(body + through + on("bottom", "uy = 0.0") + on("top", "uy = -0.1")).find("the body moves freely in x"),
+      0u);
+}
+
+TEST(Problem, ComparesBoundariesWhereTheirAmplitudesBend) {
+  const std::string left = "[[boundary]]\non = \"left\"\nuy = 1e-3\namplitude = [[0, 0], [0.51, 0], ";
+  EXPECT_THROW(build_model(scene_of(kPlain + left + "[0.52, 1], [0.53, 0]]\n")), InputError);
+  EXPECT_NO_THROW(build_model(scene_of(kPlain + left + "[0.52, 0]]\n")));
+}
+
 // Two cracks that leave the body on one side: each divides its own edge of it, and no other.
 TEST(Problem, HoldsTheGhostsOfTheEdgesThatEachCrackDivides) {
   const std::string text =

@@ -89,6 +89,20 @@ TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
   EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"failed\""), std::string::npos);
 }
 
+// Even if nothing converges the folder knows what it holds: it can be resumed, and the next run leaves nothing behind.
+TEST(Run, ThatFailsAtOnceCanBeResumedAndReplaced) {
+  const Folder folder;
+  const std::string out = folder / "run", text = replaced(replaced(kBlock, "uy = -0.005", "uy = -20.0"),
+                                                          "max_iterations = 20", "min_step = 0.5");
+  RunOptions options = into(out);
+  ASSERT_EQ(run(scene_of(text), options).increments, 0);
+  options.resume = true;
+  EXPECT_EQ(run(scene_of(text), options).end, RunResult::End::Failed);
+  options.resume = false;
+  EXPECT_EQ(run(scene_of(kPlain), options).end, RunResult::End::Done);
+  EXPECT_FALSE(std::filesystem::exists(out + "/crack_main.csv")) << "the file of the earlier run is gone";
+}
+
 TEST(Run, OfASceneWhoseFileNameIsNotUtf8LeavesItsSummary) {
   const Folder folder;
   const std::string file = folder.write("sc\xff.toml", kPlain);

@@ -16,6 +16,10 @@ struct SolverSeconds {
   long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
 };
 
+/// What a factorisation found: a matrix that is not finite or exactly singular has no factors; one that is singular but
+/// for rounding has doubtful ones.
+enum class Factors { None, Doubtful, Regular };
+
 /// UMFPACK for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to
 /// be positive definite is factorised by UMFPACK, and counted.
 class LinearSolver {
@@ -30,10 +34,10 @@ class LinearSolver {
   void new_pattern(long number);
   long pattern() const;
 
-  /// Factorises the values. False if the matrix is singular or not finite.
-  [[nodiscard]] bool factorise(const BlockMatrix& matrix);
+  /// Factorises the values. Throws std::bad_alloc where the factors do not fit into the memory.
+  [[nodiscard]] Factors factorise(const BlockMatrix& matrix);
 
-  /// Solves A x = b with the last factorisation.
+  /// Solves A x = b with the last factorisation; with a doubtful one the solution is the motion that nothing resists.
   VecX solve(const BlockMatrix& matrix, const VecX& b);
 
   const SolverSeconds& seconds() const;

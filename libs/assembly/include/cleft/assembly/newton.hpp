@@ -43,7 +43,8 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 
 /// Solves for the load with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
-/// rounding counts as zero.
+/// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
+/// hides the forces.
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
                           double load, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
                           const IterationObserver& observer);
@@ -68,7 +69,11 @@ struct ConvergenceOrder {
 /// first error, that of the extrapolation, is smooth, the later ones sit at the tip and at the contact's ends.
 std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations);
 
-/// Size of a residual that rounding alone may leave, N/m (2-norm).
-double rounding_floor(const Model& model, const VecX& displacement);
+/// Size of a residual that rounding alone may leave, N/m (2-norm): in the bulk, and in the springs of the contact.
+struct RoundingFloor {
+  double bulk = 0.0, contact = 0.0;
+  double total() const;
+};
+RoundingFloor rounding_floor(const Model& model, const VecX& displacement);
 
 }  // namespace cleft::assembly

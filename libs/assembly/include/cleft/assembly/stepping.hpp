@@ -9,7 +9,7 @@ namespace cleft::assembly {
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
-  double min_step = 1e-4;       ///< smallest increment of the load before the run is given up
+  double min_step = 1e-4;       ///< smallest increment of the load before the run is given up; at most 0.01 / steps
   NewtonControls newton;
 };
 

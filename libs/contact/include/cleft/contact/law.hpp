@@ -37,7 +37,8 @@ struct Traction {
   double tangential = 0.0;  ///< t_T, Pa
 };
 
-/// The law. `anchored` is false where the point has no anchor yet (its first touch): no tangential traction then.
+/// The law. `anchored` is false where the point has no anchor yet (its first touch): it takes hold where it is,
+/// without tangential traction.
 Traction traction(const Law& law, double normal_gap, double tangential_gap, bool anchored, Touch touch);
 
 }  // namespace cleft::contact

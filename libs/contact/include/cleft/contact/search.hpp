@@ -21,6 +21,14 @@ inline bool presses(const Pair& pair) {
   return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
 }
 
+/// Whether the anchor is on the face that the partner is on; one on another face holds nothing, and the point touches
+/// anew.
+inline bool anchored(const Surfaces& surfaces, const Pair& pair, const Memory& memory) {
+  if (memory.anchor_face == kNone || pair.partner_face == kNone) return false;
+  const auto &anchor = surfaces.faces[memory.anchor_face], &partner = surfaces.faces[pair.partner_face];
+  return anchor.crack == partner.crack && anchor.side == partner.side;
+}
+
 /// Current positions of all faces' ends.
 struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres

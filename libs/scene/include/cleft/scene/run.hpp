@@ -43,7 +43,7 @@ struct RunResult {
   assembly::Energies energies;
   double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements
   double seconds = 0.0;
-  double yardstick = 0.0;             ///< iterations times one factorisation and solve, seconds
+  double yardstick = 0.0;             ///< all factorisations and solves, seconds
   double bulk_microseconds = 0.0;     ///< assembly with tangent, per cell and iteration
   double contact_microseconds = 0.0;  ///< search, law and tangent, per contact point and iteration
   double peak_megabytes = 0.0;
