@@ -12,7 +12,7 @@ void assemble(benchmark::State& state) {
   const auto model = assembly::models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);
   assembly::Assembler assembler(model);
   const auto rest = assembly::state_at_rest(model);
-  for (auto _ : state) benchmark::DoNotOptimize(assembler.assemble(rest.displacement, rest.contact, 0.0));
+  for (auto _ : state) benchmark::DoNotOptimize(assembler.assemble(rest.displacement, rest.history));
   const auto& s = assembler.seconds();
   const auto runs = static_cast<double>(state.iterations());
   state.counters["ns_per_cell"] = 1e9 * s.bulk / runs / static_cast<double>(model.cells.size());

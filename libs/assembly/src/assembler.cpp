@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cleft/contact/undeformed.hpp"
 #include "cleft/support/timer.hpp"
 
 namespace cleft::assembly {
@@ -20,8 +21,9 @@ void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face,
   for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
 }
 
-bool sticks_to_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair, const contact::Memory& memory) {
-  return pair.state.traction.status == contact::Status::Stick && contact::anchored(surfaces, pair, memory);
+// Whether the force depends on where the anchor is now, apart from the partner.
+bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair) {
+  return pair.state.traction.status == contact::Status::Stick && pair.anchored && !surfaces.undeformed;
 }
 
 }  // namespace
@@ -94,31 +96,31 @@ bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
     if (!contact::presses(pair)) continue;
     const auto& faces = room_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
-    const bool sticks = sticks_to_anchor(model_.surfaces, pair, memory[p]);
-    if (!holds(pair.partner_face) || !holds(pair.mouth_face) || (sticks && !holds(memory[p].anchor_face))) return false;
+    if (!holds(pair.partner_face) || !holds(pair.mouth_face)) return false;
+    if (pulls_anchor(model_.surfaces, pair) && !holds(memory[p].anchor_face)) return false;
   }
   return true;
 }
 
-std::optional<Failure> Assembler::assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
-                                           double deepest) {
+std::optional<Failure> Assembler::assemble(const VecX& displacement, const History& history) {
   ++seconds_.assemblies;
   if (model_.has_contact()) {
     {
       const PhaseTimer timer(seconds_.contact);
-      search_.run(model_.surfaces, displacement, memory, deepest, pairs_);
+      search_.run(model_.surfaces, displacement, history.contact, history.deepest, pairs_);
     }
-    if (!has_room(memory)) {
-      make_room(memory);
+    if (!has_room(history.contact)) {
+      make_room(history.contact);
       build_pattern();
     }
   }
   force_.setZero(model_.unknowns.components());
   contact_force_.setZero(model_.has_contact() ? model_.unknowns.components() : 0);
-  matrix_.set_zero();
-  if (auto failure = assemble_bulk(displacement)) return failure;
+  if (!matrix_is_final_) matrix_.set_zero();
+  if (auto failure = assemble_bulk(displacement, history)) return failure;
+  matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
-    assemble_contact(memory);
+    assemble_contact(history.contact);
     force_ += contact_force_;
   }
   if (!force_.allFinite()) return Failure{FailureKind::NotFinite, "in the internal force", "smaller increments"};
@@ -126,16 +128,24 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const std::
 }
 
 template <class Law>
-Index Assembler::bulk_loop(const Law& law, const VecX& displacement) {
+Index Assembler::bulk_loop(const Law& law, const VecX& displacement, const History& history) {
+  constexpr bool kRemembers = constitutive::PathDependent<Law>;
+  if constexpr (kRemembers) plastic_.resize(model_.cells.size());
   for (std::size_t c = 0; c < model_.cells.size(); ++c) {
     const auto& cell = model_.cells[c];
     const Mat2 F = cell.deformation(displacement);
-    if (!(det(F) > 0.0)) return static_cast<Index>(c);
-    const constitutive::Response r = law.respond(F);
+    if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return static_cast<Index>(c);
+    const constitutive::Response r = [&] {
+      if constexpr (kRemembers)
+        return law.respond(F, history.plastic[c], plastic_[c]);
+      else
+        return law.respond(F);
+    }();
     const auto& g = cell.gradient;
     const auto& at = places_[c];
     for (int l = 0; l < 3; ++l) {
       force_.segment<2>(2 * cell.unknown[l]).noalias() += cell.area * (r.piola * g[l]);
+      if (matrix_is_final_) continue;
       // D g_l: columns k of dP/dF contracted with the gradient of the column's node
       const Eigen::Matrix<double, 4, 2> d =
           cell.area * (g[l](0) * r.tangent.leftCols<2>() + g[l](1) * r.tangent.rightCols<2>());
@@ -146,9 +156,9 @@ Index Assembler::bulk_loop(const Law& law, const VecX& displacement) {
   return kNone;
 }
 
-std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement) {
+std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const History& history) {
   const PhaseTimer timer(seconds_.bulk);
-  const Index bad = std::visit([&](const auto& law) { return bulk_loop(law, displacement); }, model_.material);
+  const Index bad = std::visit([&](const auto& law) { return bulk_loop(law, displacement, history); }, model_.material);
   if (bad == kNone) return std::nullopt;
   const auto& cell = model_.cells[bad];
   const auto& corner = model_.mesh.triangles[cell.element];
@@ -175,8 +185,10 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     if (!contact::presses(pair)) continue;
     const auto index = static_cast<Index>(p);
     const auto force =
-        contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                       contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]), pair.state);
+        model_.surfaces.undeformed
+            ? contact::force_undeformed(model_.surfaces, index, pair)
+            : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
+                             contact::pair_constants(model_.surfaces, face_positions(), index, pair), pair.state);
     int count = 0;
     const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
       for (int k = 0; k < 3; ++k) {
@@ -189,7 +201,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     add(model_.surfaces.points[p].face, 0, 0, 0, true);
     add(pair.partner_face, 4, 0, 0, true);
     const int rows = count;
-    if (sticks_to_anchor(model_.surfaces, pair, memory[p]))
+    if (pulls_anchor(model_.surfaces, pair))
       add(memory[p].anchor_face, 8, 1.0 - memory[p].anchor_place, memory[p].anchor_place, false);
     if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
       add(pair.mouth_face, 10, pair.mouth_at_end ? 0.0 : 1.0, pair.mouth_at_end ? 1.0 : 0.0, false);

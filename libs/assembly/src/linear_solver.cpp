@@ -26,6 +26,7 @@ struct LinearSolver::Data {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
   bool positive_definite = false;
+  Factors factors = Factors::None;
   long pattern = -1;
 
   explicit Data(Factorisation k) : kind(k) {
@@ -103,6 +104,7 @@ LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 
 void LinearSolver::new_pattern(long number) {
   data_->pattern = number;
+  data_->factors = Factors::None;
   data_->free_umfpack();
   cholmod_free_factor(&data_->factor, &data_->common);
 }
@@ -111,15 +113,16 @@ Factors LinearSolver::factorise(const BlockMatrix& matrix) {
   auto& d = *data_;
   ++d.seconds.factorisations;
   d.positive_definite = false;
+  d.factors = Factors::None;
   // CHOLMOD takes them for positive definite
-  if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return Factors::None;
+  if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return d.factors;
   if (d.kind == Factorisation::Symmetric) {
-    const Factors factors = d.factorise_symmetric(matrix);
-    d.positive_definite = factors != Factors::None;
-    if (d.positive_definite) return factors;
+    d.factors = d.factorise_symmetric(matrix);
+    d.positive_definite = d.factors != Factors::None;
+    if (d.positive_definite) return d.factors;
     ++d.seconds.unsymmetric_fallbacks;
   }
-  return d.factorise_general(matrix);
+  return d.factors = d.factorise_general(matrix);
 }
 
 VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
@@ -142,6 +145,8 @@ VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
   cholmod_free_dense(&result, &d.common);
   return x;
 }
+
+bool LinearSolver::has_factors() const { return data_->factors == Factors::Regular; }
 
 long LinearSolver::pattern() const { return data_->pattern; }
 

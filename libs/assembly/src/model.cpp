@@ -4,6 +4,25 @@
 
 namespace cleft::assembly {
 
+bool is_small_strain(const Material& material) {
+  return std::visit([]<class Law>(const Law&) { return constitutive::kIsSmallStrain<Law>; }, material);
+}
+
+bool has_memory(const Material& material) {
+  return std::visit([]<class Law>(const Law&) { return constitutive::PathDependent<Law>; }, material);
+}
+
+bool is_symmetric(const Material& material) {
+  return std::visit(
+      []<class Law>(const Law& law) {
+        if constexpr (constitutive::PathDependent<Law>)
+          return law.friction == law.dilatancy;  // associated flow
+        else
+          return true;
+      },
+      material);
+}
+
 Vec2 prescribed_value(const Model& model, const Prescribed& prescribed, Index unknown, double load) {
   const Vec2& reference = model.mesh.nodes[model.unknowns.node_of[unknown]];
   return prescribed.displacement(reference, model.unknowns.side_of[unknown], load);

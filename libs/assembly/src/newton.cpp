@@ -85,6 +85,11 @@ void constrain(const std::vector<Constraint>& constraints, const VecX& change, d
   }
 }
 
+void move_boundary(const std::vector<Constraint>& constraints, const VecX& target, VecX& u, VecX& change) {
+  for (std::size_t k = 0; k < constraints.size(); ++k) u[constraints[k].component] = target[k];
+  change.setZero();
+}
+
 struct ContactTally {
   std::vector<Index> partner;
   std::vector<contact::Status> status;
@@ -149,8 +154,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   if (controls.extrapolate) predict(state, constraints, target, load, u);
   VecX change(target.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
-
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
+  if (model.is_linear()) move_boundary(constraints, target, u, change);
 
   ContactTally last;
   double correction = std::numeric_limits<double>::infinity();
@@ -162,7 +167,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return s.bulk + s.contact + s.pattern;
     };
     const double assembly_before = seconds();
-    if (auto failure = assembler.assemble(u, state.contact, state.deepest)) {
+    if (auto failure = assembler.assemble(u, state.history)) {
       out.failure = failure;
       return out;
     }
@@ -203,12 +208,13 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
 
-    constrain(constraints, change, modulus, assembler.matrix(), rhs);
     if (solver.pattern() != assembler.pattern_version()) solver.new_pattern(assembler.pattern_version());
+    const bool kept = model.is_linear() && solver.has_factors();
+    if (!kept) constrain(constraints, change, modulus, assembler.matrix(), rhs);
     const auto& s = solver.seconds();
     const double before = s.analyse + s.factorise + s.solve;
     VecX du;
-    const Factors factors = solver.factorise(assembler.matrix());
+    const Factors factors = kept ? Factors::Regular : solver.factorise(assembler.matrix());
     if (factors != Factors::None) du = solver.solve(assembler.matrix(), rhs);
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     const bool finite = factors != Factors::None && du.allFinite();
@@ -221,8 +227,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     u += du;
-    for (std::size_t k = 0; k < constraints.size(); ++k) u[constraints[k].component] = target[k];
-    change.setZero();
+    move_boundary(constraints, target, u, change);
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();
     correction = moved > 0.0 ? du.cwiseAbs().maxCoeff() / moved : 0.0;
     it.correction = correction;

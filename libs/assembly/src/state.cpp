@@ -6,16 +6,39 @@ State state_at_rest(const Model& model) {
   State state;
   state.displacement = VecX::Zero(model.unknowns.components());
   state.previous_displacement = state.displacement;
-  state.contact = contact::memory_at_rest(model.surfaces);
+  state.history.contact = contact::memory_at_rest(model.surfaces);
+  if (has_memory(model.material)) state.history.plastic.resize(model.cells.size());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
   return state;
 }
 
-double elastic_energy(const Model& model, const VecX& displacement) {
+double elastic_energy(const Model& model, const VecX& displacement,
+                      const std::vector<constitutive::PlasticState>& plastic) {
   return std::visit(
-      [&](const auto& law) {
+      [&]<class Law>(const Law& law) {
         double sum = 0.0;
-        for (const auto& cell : model.cells) sum += cell.area * law.energy(cell.deformation(displacement));
+        for (std::size_t c = 0; c < model.cells.size(); ++c) {
+          const auto& cell = model.cells[c];
+          const Mat2 F = cell.deformation(displacement);
+          if constexpr (constitutive::PathDependent<Law>)
+            sum += cell.area * law.energy(F, plastic[c]);
+          else
+            sum += cell.area * law.energy(F);
+        }
+        return sum;
+      },
+      model.material);
+}
+
+double plastic_dissipation(const Model& model, const VecX& displacement, const History& before) {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        double sum = 0.0;
+        if constexpr (constitutive::PathDependent<Law>)
+          for (std::size_t c = 0; c < model.cells.size(); ++c) {
+            const auto& cell = model.cells[c];
+            sum += cell.area * law.dissipation(cell.deformation(displacement), before.plastic[c]);
+          }
         return sum;
       },
       model.material);

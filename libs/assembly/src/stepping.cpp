@@ -26,7 +26,7 @@ std::vector<double> targets_of(const StepControls& controls) {
 }  // namespace
 
 Factorisation LoadStepper::factorisation_for(const Model& model) {
-  return model.has_contact() ? Factorisation::Unsymmetric : Factorisation::Symmetric;
+  return model.has_contact() || !is_symmetric(model.material) ? Factorisation::Unsymmetric : Factorisation::Symmetric;
 }
 
 LoadStepper::LoadStepper(const Model& model, StepControls controls)
@@ -87,23 +87,25 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
 void LoadStepper::commit(double load, const Increment& increment) {
   pairs_ = assembler_.pairs();
   Energies& energies = state_.energies;
-  energies.elastic = elastic_energy(model_, increment.displacement);
+  energies.elastic = elastic_energy(model_, increment.displacement, assembler_.plastic());
+  energies.plastic_dissipation += plastic_dissipation(model_, increment.displacement, state_.history);
+  state_.history.plastic = assembler_.plastic();
   energies.contact = 0.0;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
     const auto step =
-        contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.contact[p]);
+        contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.history.contact[p]);
     const auto& law = model_.surfaces.laws[model_.surfaces.faces[model_.surfaces.points[p].face].crack];
     const double weight = model_.surfaces.points[p].weight;
     if (contact::presses(pairs_[p])) {
       energies.contact += 0.5 * weight * s.ramp *
                           (s.traction.normal * s.traction.normal / law.normal_penalty +
                            s.traction.tangential * s.traction.tangential / law.tangential_penalty);
-      state_.deepest = std::max(state_.deepest, -s.normal_gap);
+      state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
     }
     energies.friction_dissipation += weight * step.dissipation;
-    state_.contact[p] = step.memory;
+    state_.history.contact[p] = step.memory;
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);

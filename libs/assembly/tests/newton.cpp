@@ -260,7 +260,7 @@ TEST(LoadStepper, RemembersTheDeepestPenetrationOfAllIncrements) {
     now = 0.0;
     for (const auto& pair : stepper.pairs()) now = std::max(now, -pair.state.normal_gap);
     deepest = std::max(deepest, now);
-    EXPECT_EQ(stepper.state().deepest, deepest);
+    EXPECT_EQ(stepper.state().history.deepest, deepest);
   }
   EXPECT_LT(now, deepest);
 }

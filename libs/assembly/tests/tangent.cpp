@@ -15,7 +15,7 @@ using contact::Status;
 // Worst difference between a column block of the assembled tangent and central differences of the assembled force,
 // relative to the largest entry of the row.
 double worst_difference(const Model& model, const VecX& u, const State& state, Assembler& assembler) {
-  EXPECT_FALSE(assembler.assemble(u, state.contact, state.deepest));
+  EXPECT_FALSE(assembler.assemble(u, state.history));
   const BlockMatrix matrix = assembler.matrix();
   const double h = 1e-6 * model.surfaces.element_size;
   Eigen::MatrixXd exact(u.size(), u.size()), differences(u.size(), u.size());
@@ -26,9 +26,9 @@ double worst_difference(const Model& model, const VecX& u, const State& state, A
     VecX up = u, down = u;
     up[k] += h;
     down[k] -= h;
-    EXPECT_FALSE(assembler.assemble(up, state.contact, state.deepest));
+    EXPECT_FALSE(assembler.assemble(up, state.history));
     const VecX plus = assembler.internal_force();
-    EXPECT_FALSE(assembler.assemble(down, state.contact, state.deepest));
+    EXPECT_FALSE(assembler.assemble(down, state.history));
     differences.col(k) = (plus - assembler.internal_force()) / (2 * h);
   }
   double worst = 0.0;
@@ -60,7 +60,7 @@ TEST_P(AssembledTangent, MatchesDifferencesOfTheAssembledForceInMidSlide) {
     const State& s = stepper.state();
     const VecX u = s.displacement + 0.37 * (s.displacement - s.previous_displacement);
     Assembler assembler(model);
-    ASSERT_FALSE(assembler.assemble(u, s.contact, s.deepest));
+    ASSERT_FALSE(assembler.assemble(u, s.history));
     for (const auto& pair : assembler.pairs()) seen.insert(pair.state.traction.status);
     EXPECT_LT(worst_difference(model, u, s, assembler), 1e-6) << "at load " << s.load;
   }

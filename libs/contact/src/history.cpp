@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cleft/contact/undeformed.hpp"
+
 namespace cleft::contact {
 namespace {
 
@@ -26,6 +28,15 @@ Place walk(const Surfaces& surfaces, const FacePositions& at, Index from, const 
     if ((place < 0.0 && there > 1.0) || (place > 1.0 && there < 0.0)) return {go, place < 0.0 ? 1.0 : 0.0};
     f = go;
   }
+}
+
+// Where the tangential gap is `target`.
+Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, double target) {
+  if (surfaces.undeformed) return {pair.partner_face, anchor_place_at(surfaces, at, p, target)};
+  const Point& point = surfaces.points[p];
+  const Vec2 along = at.end[point.face] - at.start[point.face];
+  const Vec2 y = at.start[point.face] + point.eta * along;
+  return walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
 }
 
 double stored(double normal, double tangential, const Law& law) {
@@ -59,7 +70,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     return {next, 0.0};
   }
   double work = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
-  if (!anchored(surfaces, pair, memory)) {
+  if (!pair.anchored) {
     next.anchor_face = pair.partner_face;
     next.anchor_place = now.partner;
     return {next, work};
@@ -67,10 +78,8 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
   work += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) * slide;
   if (now.traction.status == Status::Slip) {
-    const Vec2 along = at.end[point.face] - at.start[point.face];
-    const Vec2 y = at.start[point.face] + point.eta * along;
     const double target = tt / law.tangential_penalty;
-    const Place anchor = walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
+    const Place anchor = anchor_at(surfaces, at, p, pair, target);
     const double moved = std::fabs(now.tangential_gap - target);
     // While the point slides on in one sense its traction goes over from the last value to this one; after a reversal
     // it unloads elastically first.

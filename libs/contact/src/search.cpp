@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cleft/contact/undeformed.hpp"
+
 namespace cleft::contact {
 namespace {
 
@@ -68,14 +70,24 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
   const auto count = static_cast<Index>(surfaces.faces.size());
   positions_.start.resize(count);
   positions_.end.resize(count);
-  partners_.clear();
-  mouths_.clear();
-  partner_start_.clear();
-  partner_end_.clear();
   for (Index f = 0; f < count; ++f) {
     const auto& face = surfaces.faces[f];
     positions_.start[f] = face.reference_start + face.start.displacement(displacement);
     positions_.end[f] = face.reference_end + face.end.displacement(displacement);
+  }
+  pairs.resize(surfaces.points.size());
+  if (!surfaces.undeformed) return find_nearest(surfaces, memory, deepest, pairs);
+  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) pairs[p] = opposite(surfaces, positions_, p, memory[p]);
+}
+
+void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
+                          std::vector<Pair>& pairs) {
+  partners_.clear();
+  mouths_.clear();
+  partner_start_.clear();
+  partner_end_.clear();
+  for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
+    const auto& face = surfaces.faces[f];
     if (!surfaces.is_partner(face)) continue;
     partners_.push_back(f);
     partner_start_.push_back(positions_.start[f]);
@@ -86,7 +98,6 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
 
   const double radius =
       surfaces.search_radius > 0.0 ? surfaces.search_radius : std::max(5.0 * surfaces.element_size, 10.0 * deepest);
-  pairs.resize(surfaces.points.size());
   for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) {
     const Point& point = surfaces.points[p];
     Pair& pair = pairs[p];
@@ -124,8 +135,9 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
       continue;
     }
     pair.partner_face = hit.face;
-    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, memory[p]),
-                          pair_constants(surfaces, positions_, p, pair, memory[p]));
+    pair.anchored = holds_on(surfaces, memory[p], hit.face);
+    pair.state =
+        evaluate(pair_points(surfaces, positions_, p, pair, memory[p]), pair_constants(surfaces, positions_, p, pair));
   }
 }
 
@@ -140,19 +152,11 @@ PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index 
   return out;
 }
 
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                             const Memory& memory) {
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  PairConstants out{surfaces.laws[face.crack],
-                    surfaces.touch(),
-                    point.weight,
-                    point.eta,
-                    point.share_begin,
-                    point.share_end,
-                    face.normal_sign(),
-                    anchored(surfaces, pair, memory),
-                    0};
+  PairConstants out{surfaces.laws[face.crack], surfaces.touch(),   point.weight,  point.eta, point.share_begin,
+                    point.share_end,           face.normal_sign(), pair.anchored, 0};
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];
     const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;

@@ -55,7 +55,7 @@ std::vector<Point> place_points(const Surfaces& surfaces, int per_segment) {
 std::vector<Memory> memory_at_rest(const Surfaces& surfaces) {
   std::vector<Memory> memory;
   memory.reserve(surfaces.points.size());
-  for (const auto& point : surfaces.points) memory.push_back({point.face ^ 1, point.eta});
+  for (const auto& point : surfaces.points) memory.push_back({enrichment::opposite_face(point.face), point.eta});
   return memory;
 }
 

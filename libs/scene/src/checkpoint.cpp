@@ -68,7 +68,7 @@ void pass(Io& io, Checkpoint& c) {
   auto& s = c.state;
   io(s.load);
   pass(io, s.displacement);
-  pass(io, s.contact, [&](contact::Memory& m) {
+  pass(io, s.history.contact, [&](contact::Memory& m) {
     io(m.anchor_face);
     io(m.anchor_place);
     io(m.slip);
@@ -77,7 +77,7 @@ void pass(Io& io, Checkpoint& c) {
     io(m.ramp);
     io(m.slope);
   });
-  io(s.deepest);
+  io(s.history.deepest);
   io(s.energies);
   pass(io, s.prescribed_force);
   io(s.previous_load);

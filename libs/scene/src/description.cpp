@@ -52,6 +52,17 @@ Json boundary(const BoundarySpec& b) {
   return j;
 }
 
+Json material(const MaterialSpec& m) {
+  Json j{{"model", m.model}, {"young", m.young}, {"poisson", m.poisson}};
+  if (m.model == "j2") j.update({{"yield_stress", m.yield_stress}, {"hardening", m.hardening}});
+  if (m.model == "drucker-prager")
+    j.update({{"cohesion", m.cohesion},
+              {"friction", m.friction},
+              {"dilatancy", m.dilatancy},
+              {"hardening", m.hardening}});
+  return j;
+}
+
 Json physics(const Scene& s) {
   constexpr std::array kDiagonals{"right", "left", "alternating"};
   Json j;
@@ -59,8 +70,8 @@ Json physics(const Scene& s) {
                {"box", s.mesh.box},
                {"cells", s.mesh.cells},
                {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
-  j["material"] = {{"model", s.material.model}, {"young", s.material.young}, {"poisson", s.material.poisson}};
-  j["formulation"] = {{"kinematics", "finite"}, {"tip_enrichment", 0.0}};
+  j["material"] = material(s.material);
+  j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"}, {"tip_enrichment", 0.0}};
   j["crack"] = Json::array();
   for (const auto& c : s.cracks) j["crack"].push_back(crack(c));
   for (const auto& b : s.boundaries) j["boundary"].push_back(boundary(b));

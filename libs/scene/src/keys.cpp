@@ -23,10 +23,15 @@ constexpr std::array kKeys = {
     Key{"mesh", "box", "4 numbers", "xmin, ymin, xmax, ymax, m"},
     Key{"mesh", "cells", "2 integers", "cells across and up, two triangles each"},
     Key{"mesh", "diagonal", "text", "right (lower left to upper right) | left | alternating"},
-    Key{"material", "model", "text", "hencky | neo-hookean"},
+    Key{"material", "model", "text", "hencky | neo-hookean | j2 | drucker-prager"},
     Key{"material", "young", "number", "Young's modulus, Pa"},
     Key{"material", "poisson", "number", "Poisson's ratio"},
-    Key{"formulation", "kinematics", "text", "finite"},
+    Key{"material", "yield_stress", "number", "of j2, uniaxial, Pa"},
+    Key{"material", "cohesion", "number", "of drucker-prager, alpha, Pa"},
+    Key{"material", "friction", "number", "of drucker-prager, beta"},
+    Key{"material", "dilatancy", "number", "of drucker-prager, b"},
+    Key{"material", "hardening", "number", "Pa: uniaxial modulus of j2, d alpha/d gamma of drucker-prager"},
+    Key{"formulation", "kinematics", "text", "finite | small"},
     Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
     Key{"crack", "name", "text", "names its result file"},
     Key{"crack", "points", "array of points", "polyline in the reference configuration, m"},
@@ -92,16 +97,11 @@ constexpr std::array kKeys = {
     Key{"study.quantity", "limit_within", "2 numbers", "the study fails where the limit is outside"},
 };
 
-constexpr std::array<std::array<std::string_view, 2>, 10> kLaterKeys = {{
+constexpr std::array<std::array<std::string_view, 2>, 5> kLaterKeys = {{
     {"mesh", "size"},
     {"mesh", "refine"},
     {"mesh", "file"},
     {"material", "region"},
-    {"material", "cohesion"},
-    {"material", "friction"},
-    {"material", "dilatancy"},
-    {"material", "hardening"},
-    {"material", "yield_stress"},
     {"crack", "growth"},
 }};
 

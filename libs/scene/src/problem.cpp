@@ -47,10 +47,26 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
   }
 }
 
+assembly::Material material_of(const MaterialSpec& spec, Kinematics kinematics) {
+  const bool small = kinematics == Kinematics::Small;
+  const auto constants = constitutive::lame(spec.young, spec.poisson);
+  const auto plastic = [small](const constitutive::DruckerPrager& law) -> assembly::Material {
+    if (small) return constitutive::SmallPlastic{law};
+    return constitutive::FinitePlastic{law};
+  };
+  if (spec.model == "j2") return plastic(constitutive::von_mises(constants, spec.yield_stress, spec.hardening));
+  if (spec.model == "drucker-prager")
+    return plastic({constants, spec.cohesion, spec.friction, spec.dilatancy, spec.hardening});
+  if (small) return constitutive::LinearElastic{constants};
+  if (spec.model == "hencky") return constitutive::Hencky{constants};
+  return constitutive::NeoHookean{constants};
+}
+
 void set_up_contact(const Scene& scene, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.search_radius = scene.solver.search_radius;
+  s.undeformed = scene.kinematics == Kinematics::Small;
   for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
   const auto scale = penalty_scale(scene, m);
@@ -174,10 +190,7 @@ assembly::Model build_model(const Scene& scene) {
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   const auto constants = constitutive::lame(scene.material.young, scene.material.poisson);
-  if (scene.material.model == "hencky")
-    m.material = constitutive::Hencky{constants};
-  else
-    m.material = constitutive::NeoHookean{constants};
+  m.material = material_of(scene.material, scene.kinematics);
   if (!scene.cracks.empty()) set_up_contact(scene, m);
 
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {

@@ -25,7 +25,7 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
     q.s = blend(face.s_start, face.s_end);
     q.reference = blend(face.reference_start, face.reference_end);
     q.current = blend(at.start[point.face], at.end[point.face]);
-    q.slip = stepper.state().contact[p].slip;
+    q.slip = stepper.state().history.contact[p].slip;
     q.gap = q.partner_s = std::numeric_limits<double>::quiet_NaN();
     if (pair.partner_face != kNone) {
       const auto& s = pair.state;
@@ -55,10 +55,7 @@ VtuGrid bulk_grid(const assembly::Model& m, const VecX& displacement) {
   for (std::size_t i = 0; i < m.mesh.nodes.size(); ++i) push(u, displacement.segment<2>(2 * static_cast<Index>(i)));
   for (const auto& cell : m.cells) {
     const Mat2 F = cell.deformation(displacement);
-    const Mat2 piola = std::visit([&](const auto& law) { return law.respond(F).piola; }, m.material);
-    const Mat2 sigma = constitutive::cauchy(piola, F);
-    // both hyperelastic laws have tau_33 = lambda ln J when the third stretch is 1
-    const double out_of_plane = m.constants().lambda * std::log(det(F)) / det(F);
+    const auto [sigma, out_of_plane] = assembly::stress_of(m.material, F, remembered);
     const double centre = 0.5 * (sigma(0, 0) + sigma(1, 1)),
                  radius = std::hypot(0.5 * (sigma(0, 0) - sigma(1, 1)), sigma(0, 1));
     const auto describe = [&] {

@@ -39,17 +39,31 @@ MeshSpec read_mesh(const Section& s) {
 
 MaterialSpec read_material(const Section& s) {
   MaterialSpec out;
-  out.model = s.choice("model", {"hencky", "neo-hookean"});
+  out.model = s.choice("model", {"hencky", "neo-hookean", "j2", "drucker-prager"});
   out.young = s.number("young", kPositive, "a positive number, Pa");
   out.poisson = s.number(
       "poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
+  const bool j2 = out.model == "j2", cone = out.model == "drucker-prager";
+  for (const auto& [key, belongs] : {std::pair{"yield_stress", j2}, {"cohesion", cone}, {"friction", cone},
+                                     {"dilatancy", cone}, {"hardening", j2 || cone}})
+    if (s.has(key) && !belongs) s.fail(key, fmt::format("is none of model = \"{}\"", out.model));
+  if (j2) out.yield_stress = s.number("yield_stress", kPositive, "a positive number, Pa");
+  if (cone) {
+    out.cohesion = s.number("cohesion", kPositive, "a positive number, Pa");
+    out.friction = s.number("friction", kNotNegative, "0 or greater");
+    out.dilatancy = s.number("dilatancy", kNotNegative, "0 or greater");
+  }
+  if (j2 || cone) out.hardening = s.number_or("hardening", 0.0, kNotNegative, "0 or greater, Pa");
+  if (out.friction > 0.0 && out.dilatancy == 0.0)
+    s.fail("dilatancy", "0 leaves no return to the apex of a cone; allowed: greater than 0 where friction is");
   return out;
 }
 
-void read_formulation(const Section& s) {
-  if (s.has("kinematics")) s.choice("kinematics", {"finite"});
+Kinematics read_formulation(const Section& s) {
+  const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
   s.number_or(
       "tip_enrichment", 0.0, [](double x) { return x == 0.0; }, "0 (tip enrichment is not available)");
+  return small ? Kinematics::Small : Kinematics::Finite;
 }
 
 CrackSpec read_crack(const Section& s, std::size_t number) {
@@ -199,7 +213,8 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   if (materials.empty()) root.fail("material", "empty; allowed: one [material] section");
   if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
   out.material = read_material(materials[0]);
-  if (const auto s = root.section("formulation", "formulation")) read_formulation(*s);
+  if (const auto s = root.section("formulation", "formulation"))
+    out.kinematics = read_formulation(*s);
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
     out.cracks.push_back(read_crack(s, out.cracks.size()));
@@ -207,7 +222,11 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
       s.fail("name", fmt::format("'{}' names another crack, too; allowed: distinct names", out.cracks.back().name));
   }
   int boxes = 0;
-  for (const auto& s : root.sections("boundary", "boundary")) out.boundaries.push_back(read_boundary(s, boxes));
+  for (const auto& s : root.sections("boundary", "boundary")) {
+    out.boundaries.push_back(read_boundary(s, boxes));
+    if (out.boundaries.back().rotation && out.kinematics == Kinematics::Small)
+      s.fail("rotation", "would strain a body at small strain; allowed with kinematics = \"finite\" only");
+  }
   check_boundaries(root, out.boundaries);
   for (const auto& s : root.sections("traction", "traction")) {
     TractionSpec t{s.at(), s.text("on"), s.point("value"), s.amplitude()};
@@ -216,7 +235,11 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   }
   if (const auto s = root.section("gravity", "gravity"))
     out.gravity = {s->point("value"), s->number("density", kPositive, "a positive number, kg/m^3"), s->amplitude()};
-  if (const auto s = root.section("exact", "exact")) out.exact = s->field("solution");
+  if (const auto s = root.section("exact", "exact")) {
+    out.exact = s->field("solution");
+    if (out.material.model == "j2" || out.material.model == "drucker-prager")
+      s->fail("solution", "the fields are those of elastic bodies; allowed with hencky and neo-hookean only");
+  }
   if (const auto s = root.section("loading", "loading")) out.loading = read_loading(*s);
   if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);
   return out;

@@ -233,7 +233,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     tell(0, step.left.residual);
   }
 
-  if (model.has_contact()) result.overlap = stepper.state().deepest / model.surfaces.element_size;
+  if (model.has_contact()) result.overlap = stepper.state().history.deepest / model.surfaces.element_size;
   result.newton_order = median(orders);
   const auto& solver = stepper.solver().seconds();
   result.yardstick = solver.factorise + solver.solve;

@@ -11,7 +11,7 @@ Checkpoint example() {
   c.state.load = 0.3;
   c.state.displacement = VecX::LinSpaced(10, 0.0, 1.0 / 3.0);
   c.state.previous_displacement = -c.state.displacement;
-  c.state.contact = {{3, 0.25, 1e-3, -7.0}, {kNone, 0.0, 0.0, 0.0}};
+  c.state.history.contact = {{3, 0.25, 1e-3, -7.0}, {kNone, 0.0, 0.0, 0.0}};
   c.state.prescribed_force = VecX::Ones(4);
   c.state.energies.elastic = 5.0;
   c.place = {7, 0.01};
@@ -27,7 +27,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
   const Checkpoint back = checkpoint_from(to_bytes(c), "checkpoint");
   EXPECT_EQ(to_bytes(back), to_bytes(c));
   EXPECT_EQ(back.state.displacement, c.state.displacement);
-  EXPECT_EQ(back.state.contact[0].anchor_face, 3);
+  EXPECT_EQ(back.state.history.contact[0].anchor_face, 3);
   EXPECT_EQ(back.room, c.room);
   EXPECT_EQ(back.log_bytes, c.log_bytes);
   EXPECT_EQ(back.outputs[0].file, "fields_0000.vtu");

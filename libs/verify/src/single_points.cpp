@@ -62,9 +62,12 @@ Eigen::MatrixXd dense(const assembly::BlockMatrix& matrix, const std::vector<Ind
 
 }  // namespace
 
-SinglePoints::SinglePoints(const assembly::Model& model, const assembly::State& history, const VecX& u,
+SinglePoints::SinglePoints(const assembly::Model& model, const assembly::History& history, const VecX& u,
                            const Lengths& lengths)
-    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_cells(model)), memory_(1) {}
+    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_cells(model)) {
+  one_history_.deepest = history.deepest;
+  one_history_.contact.resize(1);
+}
 
 void SinglePoints::check(double load, double tolerance, TangentReport& report, std::vector<double>& step) {
   for (Index p = 0; p < static_cast<Index>(whole_.surfaces.points.size()); ++p)
@@ -76,7 +79,7 @@ const char* SinglePoints::force(assembly::Assembler& assembler, const contact::P
                                 std::vector<double>& out) {
   const double here = moved_[component];
   moved_[component] += move;
-  const auto failure = assembler.assemble(moved_, memory_, history_.deepest);
+  const auto failure = assembler.assemble(moved_, one_history_);
   moved_[component] = here;
   if (failure) return "forces are not finite";
   out.clear();
@@ -118,9 +121,9 @@ void SinglePoints::check_point(Index point, double load, double tolerance, Tange
   const auto& memory = history_.contact[point];
   one_.surfaces.points = {whole_.surfaces.points[point]};
   move_to_origin(point, whole_, u_, one_, moved_);
-  memory_[0] = memory;
+  one_history_.contact[0] = memory;
   assembly::Assembler assembler(one_);
-  if (assembler.assemble(moved_, memory_, history_.deepest)) {
+  if (assembler.assemble(moved_, one_history_)) {
     report.kinks.push_back({"forces are not finite", load, kNone, point});
     return;
   }

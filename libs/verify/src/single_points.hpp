@@ -13,7 +13,7 @@ namespace cleft::verify {
 /// makes is that point's.
 class SinglePoints {
  public:
-  SinglePoints(const assembly::Model& model, const assembly::State& history, const VecX& u, const Lengths& lengths);
+  SinglePoints(const assembly::Model& model, const assembly::History& history, const VecX& u, const Lengths& lengths);
 
   /// Compares every point and sums up by its status. Lowers `step`, per unknown, to what the points needed to stay on
   /// their branches.
@@ -33,13 +33,13 @@ class SinglePoints {
                     Index component, double move, std::vector<double>& out);
 
   const assembly::Model& whole_;
-  const assembly::State& history_;
+  const assembly::History& history_;
   const VecX& u_;
   const Lengths& lengths_;
 
   // The point at hand, with everything moved so that it is at the origin.
   assembly::Model one_;
-  std::vector<contact::Memory> memory_;
+  assembly::History one_history_;
   VecX moved_;
   double reach_ = 0.0;  // as in Lengths, of the faces that matter to it
 };

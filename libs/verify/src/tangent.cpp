@@ -15,14 +15,14 @@ namespace {
 // Points are judged at the origin; in the body at large the rounding of positions is larger. Times the least step.
 constexpr double kClearOfRounding = 4.0;
 
-TangentBlock check_whole(const assembly::Model& model, const assembly::State& history, const VecX& u,
+TangentBlock check_whole(const assembly::Model& model, const assembly::History& history, const VecX& u,
                          const std::vector<double>& step, double load, double tolerance,
                          assembly::Assembler& assembler) {
   const assembly::BlockMatrix matrix = assembler.matrix();
   const std::vector<contact::Pair> base = assembler.pairs();
   const auto evaluate = [&](const VecX& there) {
     WholeForce out;
-    const bool failed = assembler.assemble(there, history.contact, history.deepest).has_value();
+    const bool failed = assembler.assemble(there, history).has_value();
     out.force = failed ? VecX::Constant(u.size(), std::nan("")) : assembler.internal_force();
     for (std::size_t p = 0; p < base.size(); ++p) {
       if (!kink_between(base[p], assembler.pairs()[p])) continue;
@@ -67,14 +67,14 @@ bool TangentReport::enough() const {
   return points > 0 || std::none_of(kinks.begin(), kinks.end(), [](const auto& k) { return k.point != kNone; });
 }
 
-std::optional<assembly::Failure> check_tangent(const assembly::Model& model, const assembly::State& history,
+std::optional<assembly::Failure> check_tangent(const assembly::Model& model, const assembly::History& history,
                                                const VecX& u, double load, double tolerance, TangentReport& report) {
   assembly::Assembler assembler(model);
-  if (auto failure = assembler.assemble(u, history.contact, history.deepest)) return failure;
+  if (auto failure = assembler.assemble(u, history)) return failure;
   const Lengths lengths = lengths_of(model, u);
   std::vector<double> step;
   for (const double influence : lengths.influence) step.push_back(first_step(influence, lengths.reach));
-  if (auto failure = TornBody(model, u, lengths).check(load, tolerance, report)) return failure;
+  if (auto failure = TornBody(model, history, u, lengths).check(load, tolerance, report)) return failure;
   if (model.has_contact()) SinglePoints(model, history, u, lengths).check(load, tolerance, report, step);
   const double least = kClearOfRounding * least_step(lengths.reach, tolerance);
   for (double& h : step) h = std::max(h, least);

@@ -26,8 +26,13 @@ const char* name_of(const enrichment::Cell& cell) {
 
 }  // namespace
 
-TornBody::TornBody(const assembly::Model& model, const VecX& u, const Lengths& lengths)
-    : whole_(model), torn_(torn(model)), u_(torn_.unknowns.components()), assembler_(torn_) {
+TornBody::TornBody(const assembly::Model& model, const assembly::History& history, const VecX& u,
+                   const Lengths& lengths)
+    : whole_(model),
+      torn_(torn(model)),
+      history_{{}, 0.0, history.plastic},
+      u_(torn_.unknowns.components()),
+      assembler_(torn_) {
   for (std::size_t c = 0; c < model.cells.size(); ++c) {
     double influence = lengths.influence[model.cells[c].unknown[0]];
     for (int k = 0; k < 3; ++k) {
@@ -54,7 +59,7 @@ bool TornBody::difference(double factor, std::vector<Quotients>& out) {
       VecX there = u_;
       for (std::size_t c = 0; c < step_.size(); ++c)
         there[static_cast<Eigen::Index>(6 * c) + column] += kOffsets[k] * factor * step_[c];
-      if (assembler_.assemble(there, {}, 0.0)) return false;
+      if (assembler_.assemble(there, history_)) return false;
       force[k] = assembler_.internal_force();
     }
     for (std::size_t c = 0; c < step_.size(); ++c)
@@ -75,7 +80,7 @@ bool TornBody::is_certain(const Matrix6& exact, const Quotients& differences, do
 }
 
 std::optional<assembly::Failure> TornBody::check(double load, double tolerance, TangentReport& report) {
-  if (auto failure = assembler_.assemble(u_, {}, 0.0)) return failure;
+  if (auto failure = assembler_.assemble(u_, history_)) return failure;
   matrix_ = assembler_.matrix();
   const auto cells = static_cast<Index>(step_.size());
   std::vector<Quotients> differences(step_.size());

@@ -11,7 +11,7 @@ namespace cleft::verify {
 /// one component of every cell can be varied at the same time.
 class TornBody {
  public:
-  TornBody(const assembly::Model& model, const VecX& u, const Lengths& lengths);
+  TornBody(const assembly::Model& model, const assembly::History& history, const VecX& u, const Lengths& lengths);
 
   /// Compares every cell and sums up by its side. Returns the failure of a state that has no forces.
   [[nodiscard]] std::optional<assembly::Failure> check(double load, double tolerance, TangentReport& report);
@@ -27,6 +27,7 @@ class TornBody {
 
   const assembly::Model& whole_;
   assembly::Model torn_;
+  assembly::History history_;  // of the material
   VecX u_;
   std::vector<double> step_;  // per cell
   assembly::Assembler assembler_;

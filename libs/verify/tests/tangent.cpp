@@ -33,7 +33,7 @@ struct Subject {
   }
   TangentReport at(const VecX& u) const {
     TangentReport report;
-    EXPECT_FALSE(check_tangent(model, stepper.state(), u, stepper.state().load, kTolerance, report));
+    EXPECT_FALSE(check_tangent(model, stepper.state().history, u, stepper.state().load, kTolerance, report));
     return report;
   }
 };
@@ -117,7 +117,7 @@ TEST(CheckTangent, ReturnsTheFailureOfAStateWithoutForces) {
   TangentReport report;
   VecX u = VecX::Zero(plain.model.unknowns.components());
   u[1] = 1.0;  // inverts an element
-  const auto failure = check_tangent(plain.model, plain.stepper.state(), u, 0.0, kTolerance, report);
+  const auto failure = check_tangent(plain.model, plain.stepper.state().history, u, 0.0, kTolerance, report);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, assembly::FailureKind::Inverted);
   EXPECT_EQ(report.states, 0);

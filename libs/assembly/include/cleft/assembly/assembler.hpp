@@ -6,7 +6,7 @@
 
 #include "cleft/assembly/block_matrix.hpp"
 #include "cleft/assembly/failure.hpp"
-#include "cleft/assembly/model.hpp"
+#include "cleft/assembly/state.hpp"
 #include "cleft/contact/search.hpp"
 
 namespace cleft::assembly {
@@ -26,16 +26,17 @@ class Assembler {
   /// `model` must outlive the assembler.
   explicit Assembler(const Model& model);
 
-  /// Everything at `displacement` (metres, all components) with the committed contact memory. A value: the failure, if
-  /// the state has none.
-  [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const std::vector<contact::Memory>& memory,
-                                                double deepest);
+  /// Everything at `displacement` (metres, all components), from the committed past. The matrix of a linear model is
+  /// assembled once; after that only forces are. A value: the failure, if the state has no forces.
+  [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const History& history);
 
   const VecX& internal_force() const { return force_; }  ///< N/m, bulk and contact
   const VecX& contact_force() const { return contact_force_; }
   BlockMatrix& matrix() { return matrix_; }
   const BlockMatrix& matrix() const { return matrix_; }
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
+  /// What the cells would remember of this state; empty if the material has no memory.
+  const std::vector<constitutive::PlasticState>& plastic() const { return plastic_; }
   const contact::FacePositions& face_positions() const { return search_.positions(); }
 
   /// Counts how often the pattern was built: the linear solver must analyse anew when it changes.
@@ -56,14 +57,16 @@ class Assembler {
   void build_pattern();
   void make_room(const std::vector<contact::Memory>& memory);
   bool has_room(const std::vector<contact::Memory>& memory) const;
-  std::optional<Failure> assemble_bulk(const VecX& displacement);
+  std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void assemble_contact(const std::vector<contact::Memory>& memory);
   template <class Law>
-  Index bulk_loop(const Law& law, const VecX& displacement);
+  Index bulk_loop(const Law& law, const VecX& displacement, const History& history);
 
   const Model& model_;
   contact::Search search_;
   std::vector<contact::Pair> pairs_;
+  std::vector<constitutive::PlasticState> plastic_;
+  bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
   VecX force_, contact_force_;
   BlockMatrix matrix_;
   std::vector<CellPlaces> places_;

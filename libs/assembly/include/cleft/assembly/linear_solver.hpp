@@ -34,6 +34,9 @@ class LinearSolver {
   void new_pattern(long number);
   long pattern() const;
 
+  /// Whether there are regular factors of a matrix with that pattern.
+  bool has_factors() const;
+
   /// Factorises the values. Throws std::bad_alloc where the factors do not fit into the memory.
   [[nodiscard]] Factors factorise(const BlockMatrix& matrix);
 

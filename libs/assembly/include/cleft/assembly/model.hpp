@@ -9,13 +9,24 @@
 #include <vector>
 
 #include "cleft/constitutive/hencky.hpp"
+#include "cleft/constitutive/kinematics.hpp"
 #include "cleft/constitutive/neo_hookean.hpp"
 #include "cleft/contact/surfaces.hpp"
 #include "cleft/enrichment/stencil.hpp"
 
 namespace cleft::assembly {
 
-using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean>;
+using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean, constitutive::FinitePlastic,
+                              constitutive::LinearElastic, constitutive::SmallPlastic>;
+
+/// Whether the material's strains are small, so that nothing depends on the current configuration.
+bool is_small_strain(const Material& material);
+
+/// Whether the material remembers.
+bool has_memory(const Material& material);
+
+/// Whether the derivative of the stress is symmetric.
+bool is_symmetric(const Material& material);
 
 /// Unknowns whose displacement is prescribed on one named part of the boundary.
 struct Prescribed {
@@ -41,6 +52,8 @@ struct Model {
   std::vector<DeadLoad> dead_loads;
 
   bool has_contact() const { return !surfaces.points.empty(); }
+  /// Forces are linear in the displacements: one factorisation serves all loads.
+  bool is_linear() const { return !has_contact() && is_small_strain(material) && !has_memory(material); }
   const constitutive::Lame& constants() const {
     return std::visit([](const auto& m) -> const constitutive::Lame& { return m.constants; }, material);
   }

@@ -11,17 +11,24 @@ struct Energies {
   double elastic = 0.0;
   double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
   double friction_dissipation = 0.0;  ///< cumulative work of the contact tractions that is not stored
+  double plastic_dissipation = 0.0;   ///< cumulative plastic work, that of hardening included
   double external_work = 0.0;         ///< cumulative
   /// What the other entries leave unexplained; falls with the size of the increments.
-  double imbalance() const { return external_work - elastic - contact - friction_dissipation; }
+  double imbalance() const { return external_work - elastic - contact - friction_dissipation - plastic_dissipation; }
+};
+
+/// What forces depend on besides the displacement: the past, as it was when the last increment had converged.
+struct History {
+  std::vector<contact::Memory> contact;               ///< per contact point
+  double deepest = 0.0;                               ///< largest penetration so far, metres
+  std::vector<constitutive::PlasticState> plastic{};  ///< per cell; empty if the material has no memory
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
 struct State {
   double load = 0.0;
-  VecX displacement;                     ///< metres, all components
-  std::vector<contact::Memory> contact;  ///< per contact point
-  double deepest = 0.0;                  ///< largest penetration so far, metres
+  VecX displacement;  ///< metres, all components
+  History history;
   Energies energies;
   VecX prescribed_force;       ///< force on the body at the constraints, N/m
   double previous_load = 0.0;  ///< of the state before, for extrapolation; equal to `load` if there is none
@@ -31,7 +38,12 @@ struct State {
 /// The body at rest: undeformed, crack faces closed and free of stress.
 State state_at_rest(const Model& model);
 
-/// Elastic energy of the bulk at given displacements, J/m. Needs det F > 0 everywhere.
-double elastic_energy(const Model& model, const VecX& displacement);
+/// Elastic energy of the bulk, J/m, at given displacements and what the cells then remember. Needs det F > 0
+/// everywhere.
+double elastic_energy(const Model& model, const VecX& displacement,
+                      const std::vector<constitutive::PlasticState>& plastic);
+
+/// Plastic work, J/m, of an increment that ends at given displacements.
+double plastic_dissipation(const Model& model, const VecX& displacement, const History& before);
 
 }  // namespace cleft::assembly

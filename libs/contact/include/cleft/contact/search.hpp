@@ -13,20 +13,22 @@ struct Pair {
   Index partner_face = kNone;  ///< kNone: nothing opposite
   Index mouth_face = kNone;    ///< the face whose free end the point may run past, or kNone
   bool mouth_at_end = false;   ///< the free end is that face's end (else its start)
+  /// Whether the point has an anchor, on the face that the partner is on: one on another face holds nothing, and the
+  /// point touches anew.
+  bool anchored = false;
   PairState state;
 };
+
+/// Whether the point's anchor is on the same face of the same crack as `partner_face`.
+inline bool holds_on(const Surfaces& surfaces, const Memory& memory, Index partner_face) {
+  if (memory.anchor_face == kNone) return false;
+  const auto &anchor = surfaces.faces[memory.anchor_face], &partner = surfaces.faces[partner_face];
+  return anchor.crack == partner.crack && anchor.side == partner.side;
+}
 
 /// Whether the point has a partner and is not open.
 inline bool presses(const Pair& pair) {
   return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
-}
-
-/// Whether the anchor is on the face that the partner is on; one on another face holds nothing, and the point touches
-/// anew.
-inline bool anchored(const Surfaces& surfaces, const Pair& pair, const Memory& memory) {
-  if (memory.anchor_face == kNone || pair.partner_face == kNone) return false;
-  const auto &anchor = surfaces.faces[memory.anchor_face], &partner = surfaces.faces[pair.partner_face];
-  return anchor.crack == partner.crack && anchor.side == partner.side;
 }
 
 /// Current positions of all faces' ends.
@@ -34,7 +36,8 @@ struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres
 };
 
-/// Finds partners. Keeps its scratch memory between calls.
+/// Finds partners: those opposite where contact is in the undeformed configuration, else in the current one. Keeps its
+/// scratch memory between calls.
 class Search {
  public:
   /// `displacement`: components of all unknowns. The partner is the nearest crossing of the point's normal line with a
@@ -47,6 +50,9 @@ class Search {
   const FacePositions& positions() const { return positions_; }
 
  private:
+  void find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
+                    std::vector<Pair>& pairs);
+
   FacePositions positions_;
   geometry::SegmentGrid grid_;
   std::vector<Index> partners_, mouths_;
@@ -56,7 +62,6 @@ class Search {
 /// The six points of a pair, from current positions.
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
                        const Memory& memory);
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
-                             const Memory& memory);
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair);
 
 }  // namespace cleft::contact

@@ -25,8 +25,8 @@ struct Point {
 /// What a point remembers between increments. Anchors are material points: a face and a place on it.
 struct Memory {
   Index anchor_face = kNone;  ///< kNone: no anchor
-  double anchor_place = 0.0;
-  double slip = 0.0;  ///< cumulative, metres
+  double anchor_place = 0.0;  ///< 0 at the start of the face, 1 at its end, beyond them where the face is continued
+  double slip = 0.0;          ///< cumulative, metres
   // Of the last converged increment, for the work of the next one:
   double normal = 0.0, tangential = 0.0;  ///< t_N and t_T, Pa
   double ramp = 1.0;                      ///< PairState::ramp, 0 without a partner
@@ -41,6 +41,7 @@ struct Surfaces {
   std::vector<NegativeSide> sides;  ///< per crack
   double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
   double search_radius = 0.0;       ///< 0: by scale
+  bool undeformed = false;          ///< contact in the undeformed configuration (undeformed.hpp), for small strain
 
   bool is_partner(const enrichment::Face& face) const {
     const NegativeSide side = sides[face.crack];

@@ -63,6 +63,9 @@ struct Face {
 /// Number of the face of a segment on one side, in the list that make_faces returns.
 inline Index face_of(Index segment, geometry::Side side) { return 2 * segment + static_cast<Index>(side); }
 
+/// The face of the same segment on the other side.
+inline Index opposite_face(Index face) { return face ^ 1; }
+
 /// Both faces of every segment, numbered by face_of.
 std::vector<Face> make_faces(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns);
 

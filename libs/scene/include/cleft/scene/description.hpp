@@ -22,10 +22,15 @@ struct MeshSpec {
 };
 
 struct MaterialSpec {
-  std::string model;   ///< hencky | neo-hookean
+  std::string model;   ///< hencky | neo-hookean | j2 | drucker-prager
   double young = 0.0;  ///< Pa
   double poisson = 0.0;
+  double yield_stress = 0.0;                              ///< of j2, uniaxial, Pa
+  double cohesion = 0.0, friction = 0.0, dilatancy = 0.0;  ///< of drucker-prager: alpha (Pa), beta, b
+  double hardening = 0.0;  ///< Pa; of j2 the uniaxial modulus, of drucker-prager d alpha/d gamma
 };
+
+enum class Kinematics : std::uint8_t { Finite, Small };
 
 struct CrackSpec {
   Location at;
@@ -107,6 +112,7 @@ struct Scene {
   std::string title;
   MeshSpec mesh;
   MaterialSpec material;
+  Kinematics kinematics = Kinematics::Finite;
   std::vector<CrackSpec> cracks;
   std::vector<BoundarySpec> boundaries;
   std::vector<TractionSpec> tractions;

@@ -65,8 +65,8 @@ struct TangentReport {
 ///
 /// Returns the failure of a state that has no forces; the report is then as it was.
 [[nodiscard]] std::optional<assembly::Failure> check_tangent(const assembly::Model& model,
-                                                             const assembly::State& history, const VecX& u, double load,
-                                                             double tolerance, TangentReport& report);
+                                                             const assembly::History& history, const VecX& u,
+                                                             double load, double tolerance, TangentReport& report);
 
 /// The meaning of a component: direction, node, place, side, and whether it is the node's own displacement.
 std::string describe_component(const assembly::Model& model, Index component);

@@ -1,0 +1,22 @@
+/// \file
+/// Stresses of a state, for those who look at it.
+#pragma once
+
+#include "cleft/assembly/state.hpp"
+
+namespace cleft::assembly {
+
+/// Cauchy stress, Pa, positive in tension.
+struct Stress {
+  Mat2 in_plane = Mat2::Zero();
+  double out_of_plane = 0.0;
+};
+
+/// What a material answers to a deformation gradient, with what it remembers of the end of the step (nothing needed
+/// without memory).
+Stress stress_of(const Material& material, const Mat2& deformation, const constitutive::PlasticState& remembered = {});
+
+/// What a material that has been at rest so far answers to a deformation gradient.
+constitutive::Response respond_from_rest(const Material& material, const Mat2& deformation);
+
+}  // namespace cleft::assembly

@@ -1,0 +1,40 @@
+#include "cleft/assembly/stress.hpp"
+
+#include <cmath>
+
+namespace cleft::assembly {
+
+Stress stress_of(const Material& material, const Mat2& F, const constitutive::PlasticState& remembered) {
+  return std::visit(
+      [&]<class Law>(const Law& law) -> Stress {
+        constexpr bool kSmall = constitutive::kIsSmallStrain<Law>;
+        Mat2 piola;
+        double out_of_plane = 0.0;  // tau_33
+        if constexpr (constitutive::PathDependent<Law>) {
+          constitutive::PlasticState same;  // the stress is on the yield surface already
+          piola = law.respond(F, remembered, same).piola;
+          out_of_plane = law.out_of_plane_stress(F, remembered);
+        } else {
+          piola = law.respond(F).piola;
+          // both hyperelastic laws have tau_33 = lambda ln J when the third stretch is 1
+          out_of_plane = law.constants.lambda * (kSmall ? F.trace() - 2.0 : std::log(det(F)));
+        }
+        if constexpr (kSmall) return {piola, out_of_plane};
+        return {constitutive::cauchy(piola, F), out_of_plane / det(F)};
+      },
+      material);
+}
+
+constitutive::Response respond_from_rest(const Material& material, const Mat2& F) {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        constitutive::PlasticState after;
+        if constexpr (constitutive::PathDependent<Law>)
+          return law.respond(F, {}, after);
+        else
+          return law.respond(F);
+      },
+      material);
+}
+
+}  // namespace cleft::assembly

@@ -1,0 +1,73 @@
+#include "cleft/contact/undeformed.hpp"
+
+#include <cmath>
+
+namespace cleft::contact {
+namespace {
+
+struct Frame {
+  Vec2 t, n;
+  double length;
+};
+
+Frame frame(const enrichment::Face& face) {
+  const Vec2 along = face.reference_end - face.reference_start;
+  const double length = along.norm();
+  const Vec2 t = along / length;
+  return {t, face.normal_sign() * turn_left(t), length};
+}
+
+Vec2 jump(const Surfaces& surfaces, const FacePositions& at, Index p) {
+  const Point& point = surfaces.points[p];
+  const Index own = point.face, other = enrichment::opposite_face(own);
+  return (1.0 - point.eta) * (at.start[other] - at.start[own]) + point.eta * (at.end[other] - at.end[own]);
+}
+
+}  // namespace
+
+Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const Memory& memory) {
+  const Point& point = surfaces.points[p];
+  const auto& face = surfaces.faces[point.face];
+  const Frame f = frame(face);
+  const Vec2 d = jump(surfaces, at, p);
+  Pair pair;
+  pair.partner_face = enrichment::opposite_face(point.face);
+  pair.anchored = holds_on(surfaces, memory, pair.partner_face);
+  PairState& s = pair.state;
+  s.partner = point.eta;
+  s.stretch_length = f.length;
+  s.normal_gap = d.dot(f.n);
+  if (pair.anchored) s.tangential_gap = d.dot(f.t) + (memory.anchor_place - point.eta) * f.length;
+  s.traction = traction(surfaces.laws[face.crack], s.normal_gap, s.tangential_gap, pair.anchored, surfaces.touch());
+  return pair;
+}
+
+PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) {
+  const Point& point = surfaces.points[p];
+  const auto& face = surfaces.faces[point.face];
+  const Law& law = surfaces.laws[face.crack];
+  const Frame f = frame(face);
+  const Traction& t0 = pair.state.traction;
+  Mat2 stiffness = law.normal_penalty * f.n * f.n.transpose();  // d t_0 / d jump
+  if (t0.status == Status::Slip)
+    stiffness -= std::copysign(law.friction, t0.tangential) * law.normal_penalty * f.t * f.n.transpose();
+  else if (pair.anchored)
+    stiffness += law.tangential_penalty * f.t * f.t.transpose();
+  const std::array<double, 4> weight{point.eta - 1.0, -point.eta, 1.0 - point.eta, point.eta};
+  PairForce out;
+  out.tangent.setZero();
+  for (int k = 0; k < 4; ++k) {
+    out.force.segment<2>(2 * k) = point.weight * weight[k] * (t0.normal * f.n + t0.tangential * f.t);
+    for (int l = 0; l < 4; ++l)
+      out.tangent.block<2, 2>(2 * k, 2 * l) = point.weight * weight[k] * weight[l] * stiffness;
+  }
+  return out;
+}
+
+double anchor_place_at(const Surfaces& surfaces, const FacePositions& at, Index p, double target) {
+  const Point& point = surfaces.points[p];
+  const Frame f = frame(surfaces.faces[point.face]);
+  return point.eta + (target - jump(surfaces, at, p).dot(f.t)) / f.length;
+}
+
+}  // namespace cleft::contact
