@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "cleft/constitutive/hencky.hpp"
+#include "cleft/constitutive/linear_elastic.hpp"
 #include "cleft/constitutive/neo_hookean.hpp"
 
 namespace {
@@ -18,5 +19,6 @@ void respond(benchmark::State& state) {
 }
 BENCHMARK(respond<cleft::constitutive::Hencky>);
 BENCHMARK(respond<cleft::constitutive::NeoHookean>);
+BENCHMARK(respond<cleft::constitutive::LinearElastic>);
 
 }  // namespace

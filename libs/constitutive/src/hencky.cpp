@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cleft/constitutive/logarithm.hpp"
+
 namespace cleft::constitutive {
 namespace {
 
@@ -19,33 +21,14 @@ Parts split(const Mat2& F) {
   return {p1 * p1 + p2 * p2, q1 * q1 + q2 * q2, Vec4(p1, p2, -p2, p1), Vec4(q1, q2, q2, -q1)};
 }
 
-// atanh(sqrt r)/sqrt r and its derivative
-struct Quotient {
-  double value, derivative;
-};
-
-Quotient atanh_quotient(double r) {
-  constexpr double kSeriesLimit = 0.05;  // 13 terms leave 0.05^13 < 1e-16; beyond it the difference below is accurate
-  if (r < kSeriesLimit) {
-    double value = 0.0, derivative = 0.0;
-    for (int k = 13; k >= 1; --k) {
-      value = value * r + 1.0 / (2 * k + 1);
-      derivative = derivative * r + static_cast<double>(k) / (2 * k + 1);
-    }
-    return {1.0 + r * value, derivative};
-  }
-  const double root = std::sqrt(r);
-  const double value = std::atanh(root) / root;
-  return {value, (1.0 / (1.0 - r) - value) / (2.0 * r)};
-}
-
 }  // namespace
 
 SquaredLogRatio squared_log_ratio(double r) {
   // D = 4 r A^2 with A = atanh(sqrt r)/sqrt r, and dD/dr = 4 A/(1 - r)
-  const Quotient a = atanh_quotient(r);
+  const double remainder = atanh_remainder(r);
   const double c = 1.0 / (1.0 - r);
-  return {4.0 * r * a.value * a.value, 4.0 * a.value * c, 4.0 * c * (a.derivative + a.value * c)};
+  const double A = 1.0 + r * remainder, slope = 0.5 * (c - remainder);
+  return {4.0 * r * A * A, 4.0 * A * c, 4.0 * c * (slope + A * c)};
 }
 
 double Hencky::energy(const Mat2& deformation) const {

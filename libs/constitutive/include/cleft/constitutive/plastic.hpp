@@ -1,0 +1,67 @@
+/// \file
+/// Drucker-Prager and J2 plasticity at finite and at small strain, plane strain: one return map, two kinematics.
+///
+/// Finite strain (multiplicative plasticity, exponential map). The trial elastic deformation is b^e = F C^p^-1 F^T in
+/// the plane and b^e_33 = C^p^-1_33 beside it. Its logarithmic strain (1/2) ln b^e enters the return map as a small
+/// strain would and gives the Kirchhoff stress tau; the plastic increment is taken off the logarithm,
+///
+///     b^e = exp(-2 plastic increment) b^e_trial,      C^p^-1 = F^-1 b^e F^-T.
+///
+/// All of this is coaxial, and isotropic functions of plane tensors need no eigenvectors (plane_tensor.hpp,
+/// logarithm.hpp). For the tangent let g = dF F^-1, with t = g_11 + g_22, d = (g_11 - g_22, g_12 + g_21) and the spin q
+/// = g_21 - g_12. The trial Mohr circle of b^e, m (1 +- |w|), moves by db^e = g b^e + b^e g^T, and its logarithmic
+/// strain by
+///
+///     d centre = t/2,      d radius = A/2 (d + q (-w_2, w_1)) - B/2 w (w . d),
+///
+/// with A and B of r = w.w: the spectral tangent with its divided differences (beta_B - beta_A)/(b_B - b_A) in a form
+/// in which nothing is divided by a difference of principal values. Small strain is w = 0, A = 1. Then dP_iJ = (d
+/// tau_ij - tau_il g_jl) F^-1_Jj (Liu and Borja 2010, (72)).
+///
+/// Signs: stress positive in tension. All need det F > 0 (small strain: any F); what is not finite comes out not
+/// finite.
+#pragma once
+
+#include "cleft/constitutive/drucker_prager.hpp"
+#include "cleft/constitutive/plastic_state.hpp"
+#include "cleft/constitutive/response.hpp"
+
+namespace cleft::constitutive {
+
+/// Tangent of continued flow at a state at rest.
+struct ContinuumTangent {
+  Branch branch;
+  Mat4 moduli;  ///< c_ijkl = d tau_ij/d g_kl - tau_il delta_jk (small strain: d sigma_ij/d eps_kl), Pa; row i + 2 j
+};
+
+/// Finite strain. History is C^p^-1 - I.
+struct FinitePlastic : DruckerPrager {
+  /// First Piola-Kirchhoff stress and algorithmic tangent dP/dF after a step from `committed` to F; `updated` is the
+  /// state at its end, which is `committed` itself if the step is elastic.
+  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const;
+
+  /// Stored energy of the elastic strain per unit reference volume, J/m^3, at F with the state of the end of the step.
+  /// What hardening consumes counts as dissipated.
+  double energy(const Mat2& deformation, const PlasticState& updated) const;
+
+  /// Plastic work of the step to F, stress at its end times plastic strain increment, per unit reference volume, J/m^3.
+  double dissipation(const Mat2& deformation, const PlasticState& committed) const;
+
+  /// tau_33 at F with the state of the end of the step, Pa.
+  double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
+
+  /// Tangent of continued flow at F and the state at rest there, for the analysis of localisation.
+  ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
+};
+
+/// Small strain, eps = sym(F) - 1. History is the plastic strain; `piola` is the Cauchy stress, and its tangent has
+/// both minor symmetries. The members are those of FinitePlastic.
+struct SmallPlastic : DruckerPrager {
+  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const;
+  double energy(const Mat2& deformation, const PlasticState& updated) const;
+  double dissipation(const Mat2& deformation, const PlasticState& committed) const;
+  double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
+  ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
+};
+
+}  // namespace cleft::constitutive

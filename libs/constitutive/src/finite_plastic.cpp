@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include "cleft/constitutive/logarithm.hpp"
+#include "cleft/constitutive/plastic.hpp"
+#include "stress_rate.hpp"
+
+namespace cleft::constitutive {
+namespace {
+
+struct ElasticDeformation {
+  double centre = 1.0;  // of the Mohr circle of b^e
+  CircleShape shape;
+  PlaneTensor strain;  // (1/2) ln b^e
+};
+
+Mat2 plane_part(const PlasticState& state) {
+  const auto& s = state.deformation;
+  Mat2 m;
+  m << s[0], s[2], s[2], s[1];
+  return m;
+}
+
+// ln det(1 + a)
+double log_det_of_one_plus(const Mat2& a) { return std::log1p(a(0, 0) + a(1, 1) + det(a)); }
+
+// From b^e - 1, which for small strains of both kinds keeps the digits that b^e would round away.
+ElasticDeformation elastic_deformation(const Mat2& F, const PlasticState& state) {
+  const Mat2 H = F - Mat2::Identity(), plastic = plane_part(state);
+  const Mat2 offset = H + H.transpose() + H * H.transpose() + F * plastic * F.transpose();
+  ElasticDeformation e;
+  e.centre = 1.0 + 0.5 * (offset(0, 0) + offset(1, 1));
+  e.shape.w = Vec2(0.5 * (offset(0, 0) - offset(1, 1)), 0.5 * (offset(0, 1) + offset(1, 0))) / e.centre;
+  const double r = e.shape.w.squaredNorm();
+  e.shape.remainder = atanh_remainder(r);
+  e.strain.centre = 0.5 * log_det_of_one_plus(H) + 0.25 * log_det_of_one_plus(plastic);
+  e.strain.radius = (0.5 * (1.0 + r * e.shape.remainder)) * e.shape.w;
+  e.strain.normal = 0.5 * std::log1p(state.deformation[3]);
+  return e;
+}
+
+// exp(-2 increment) - 1
+PlaneTensor relaxation_of(const PlaneTensor& increment) {
+  const double size = 2.0 * increment.radius.norm();
+  const double half_sinh = std::sinh(0.5 * size), scale = std::exp(-2.0 * increment.centre);
+  const double sinh_quotient = size > 0.0 ? std::sinh(size) / size : 1.0;
+  return {std::expm1(-2.0 * increment.centre) + 2.0 * scale * half_sinh * half_sinh,
+          (-2.0 * scale * sinh_quotient) * increment.radius, std::expm1(-2.0 * increment.normal)};
+}
+
+Mat2 inverse(const Mat2& a) {
+  Mat2 m;
+  m << a(1, 1), -a(0, 1), -a(1, 0), a(0, 0);
+  return m / det(a);
+}
+
+// C^p^-1 moves by F^-1 (b^e - b^e_trial) F^-T, so that small increments are added and not differences of large numbers.
+void relax(PlasticState& state, const Mat2& F_inverse, const ElasticDeformation& trial, const PlaneTensor& increment) {
+  const PlaneTensor x = relaxation_of(increment);
+  const Vec2& w = trial.shape.w;
+  const PlaneTensor change =
+      trial.centre * PlaneTensor{.centre = x.centre + w.dot(x.radius),  // product of coaxial tensors
+                                 .radius = x.radius + x.centre * w};
+  const Mat2 pulled = F_inverse * in_plane(change) * F_inverse.transpose();
+  state.deformation[0] += pulled(0, 0);
+  state.deformation[1] += pulled(1, 1);
+  state.deformation[2] += 0.5 * (pulled(0, 1) + pulled(1, 0));
+  state.deformation[3] += (1.0 + state.deformation[3]) * x.normal;
+}
+
+// a_ijkl - tau_il delta_jk
+Mat4 with_geometric_part(Mat4 rate, const Mat2& tau) {
+  for (int j = 0; j < 2; ++j)
+    for (int l = 0; l < 2; ++l) rate.block<2, 1>(2 * j, j + 2 * l) -= tau.col(l);
+  return rate;
+}
+
+// c_ijkl F^-1_Jj F^-1_Ll
+Mat4 pull_back(const Mat4& c, const Mat2& F_inverse) {
+  Mat4 half, whole;
+  for (int l = 0; l < 2; ++l)
+    half.middleCols<2>(2 * l) = c.leftCols<2>() * F_inverse(l, 0) + c.rightCols<2>() * F_inverse(l, 1);
+  for (int j = 0; j < 2; ++j)
+    whole.middleRows<2>(2 * j) = F_inverse(j, 0) * half.topRows<2>() + F_inverse(j, 1) * half.bottomRows<2>();
+  return whole;
+}
+
+}  // namespace
+
+Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const {
+  const ElasticDeformation trial = elastic_deformation(deformation, committed);
+  const PlasticStep step = plastic_step(*this, trial.strain, committed.accumulated);
+  const Mat2 F_inverse = inverse(deformation), tau = in_plane(step.stress);
+  updated = committed;
+  if (step.map.branch != Branch::kElastic) {
+    relax(updated, F_inverse, trial, step.plastic_strain);
+    updated.accumulated += step.map.multiplier;
+  }
+  const Mat4 rate = stress_rate(step.map.moduli, step.direction, trial.shape);
+  return {tau * F_inverse.transpose(), pull_back(with_geometric_part(rate, tau), F_inverse)};
+}
+
+double FinitePlastic::energy(const Mat2& deformation, const PlasticState& updated) const {
+  return elastic_energy(constants, elastic_deformation(deformation, updated).strain);
+}
+
+double FinitePlastic::dissipation(const Mat2& deformation, const PlasticState& committed) const {
+  const PlaneTensor trial = elastic_deformation(deformation, committed).strain;
+  return plastic_step(*this, trial, committed.accumulated).plastic_work;
+}
+
+double FinitePlastic::out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const {
+  return elastic_stress(constants, elastic_deformation(deformation, updated).strain).normal;
+}
+
+ContinuumTangent FinitePlastic::continuum_tangent(const Mat2& deformation, const PlasticState& updated) const {
+  const ElasticDeformation e = elastic_deformation(deformation, updated);
+  const PlaneTensor tau = elastic_stress(constants, e.strain);
+  const Branch branch = branch_of(*this, tau, updated.accumulated);
+  const Mat4 rate = stress_rate(continuum_moduli(*this, branch), unit_deviator(e.strain), e.shape);
+  return {branch, with_geometric_part(rate, in_plane(tau))};
+}
+
+}  // namespace cleft::constitutive

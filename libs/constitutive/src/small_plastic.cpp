@@ -1,0 +1,48 @@
+#include "cleft/constitutive/plastic.hpp"
+#include "small_strain.hpp"
+#include "stress_rate.hpp"
+
+namespace cleft::constitutive {
+namespace {
+
+PlaneTensor elastic_strain(const Mat2& F, const PlasticState& state) {
+  const auto& plastic = state.deformation;
+  return plane_tensor(F(0, 0) - 1.0 - plastic[0], F(1, 1) - 1.0 - plastic[1], 0.5 * (F(0, 1) + F(1, 0)) - plastic[2],
+                      -plastic[3]);
+}
+
+}  // namespace
+
+Response SmallPlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const {
+  const PlasticStep step = plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated);
+  updated = committed;
+  if (step.map.branch != Branch::kElastic) {
+    const PlaneTensor& increment = step.plastic_strain;
+    updated.deformation[0] += increment.centre + increment.radius[0];
+    updated.deformation[1] += increment.centre - increment.radius[0];
+    updated.deformation[2] += increment.radius[1];
+    updated.deformation[3] += increment.normal;
+    updated.accumulated += step.map.multiplier;
+  }
+  return {in_plane(step.stress), stress_rate(step.map.moduli, step.direction, {})};
+}
+
+double SmallPlastic::energy(const Mat2& deformation, const PlasticState& updated) const {
+  return elastic_energy(constants, elastic_strain(deformation, updated));
+}
+
+double SmallPlastic::dissipation(const Mat2& deformation, const PlasticState& committed) const {
+  return plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated).plastic_work;
+}
+
+double SmallPlastic::out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const {
+  return elastic_stress(constants, elastic_strain(deformation, updated)).normal;
+}
+
+ContinuumTangent SmallPlastic::continuum_tangent(const Mat2& deformation, const PlasticState& updated) const {
+  const PlaneTensor strain = elastic_strain(deformation, updated);
+  const Branch branch = branch_of(*this, elastic_stress(constants, strain), updated.accumulated);
+  return {branch, stress_rate(continuum_moduli(*this, branch), unit_deviator(strain), {})};
+}
+
+}  // namespace cleft::constitutive
