@@ -15,6 +15,16 @@ struct Options {
 
 void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, value); }
 
+std::string switched_on(const assembly::Model& model) {
+  const bool small = assembly::is_small_strain(model.material);
+  std::string out = "plain finite elements";
+  if (model.has_contact())
+    out = small ? "cutting, enrichment, friction between opposite points"
+                : "cutting, enrichment, contact search, friction";
+  if (assembly::has_memory(model.material)) out += ", plastic history";
+  return out;
+}
+
 int check(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   const auto model = scene::build_model(scene);
@@ -40,11 +50,13 @@ int check(const Options& options) {
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
   for (const auto& note : scene::remarks(scene, model)) print("note", note);
-  const bool contact = model.has_contact();
-  print("kinematics", "finite");
+  const bool small = scene.kinematics == scene::Kinematics::Small;
+  print("kinematics", small ? "small" : "finite");
   print("material", scene.material.model);
-  print("switched on", contact ? "cutting, enrichment, contact search, friction" : "plain finite elements");
-  print("factorisation", contact ? "unsymmetric (UMFPACK)" : "symmetric (CHOLMOD)");
+  print("switched on", switched_on(model));
+  const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
+  print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (UMFPACK)",
+                                     model.is_linear() ? ", one for all loads" : ""));
   return kDone;
 }
 

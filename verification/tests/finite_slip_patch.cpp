@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/assembly/stress.hpp"
 #include "cleft/scene/profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"

@@ -25,6 +25,18 @@ Stress stress_of(const Material& material, const Mat2& F, const constitutive::Pl
       material);
 }
 
+constitutive::Localisation localisation_of(const Material& material, const Mat2& F,
+                                           const constitutive::PlasticState& remembered) {
+  return std::visit(
+      [&]<class Law>(const Law& law) -> constitutive::Localisation {
+        if constexpr (constitutive::PathDependent<Law>)
+          return constitutive::localisation(law, F, remembered);
+        else
+          return {};
+      },
+      material);
+}
+
 constitutive::Response respond_from_rest(const Material& material, const Mat2& F) {
   return std::visit(
       [&]<class Law>(const Law& law) {

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 3\n";
+constexpr char kMagic[] = "cleft checkpoint 4\n";
 
 struct Writer {
   std::string out;
@@ -78,6 +78,10 @@ void pass(Io& io, Checkpoint& c) {
     io(m.slope);
   });
   io(s.history.deepest);
+  pass(io, s.history.plastic, [&](constitutive::PlasticState& p) {
+    io(p.deformation);
+    io(p.accumulated);
+  });
   io(s.energies);
   pass(io, s.prescribed_force);
   io(s.previous_load);

@@ -56,10 +56,8 @@ Json material(const MaterialSpec& m) {
   Json j{{"model", m.model}, {"young", m.young}, {"poisson", m.poisson}};
   if (m.model == "j2") j.update({{"yield_stress", m.yield_stress}, {"hardening", m.hardening}});
   if (m.model == "drucker-prager")
-    j.update({{"cohesion", m.cohesion},
-              {"friction", m.friction},
-              {"dilatancy", m.dilatancy},
-              {"hardening", m.hardening}});
+    j.update(
+        {{"cohesion", m.cohesion}, {"friction", m.friction}, {"dilatancy", m.dilatancy}, {"hardening", m.hardening}});
   return j;
 }
 
@@ -105,6 +103,8 @@ double Amplitude::operator()(double load) const {
   }
   return points.back()[1];
 }
+
+bool is_plastic(const MaterialSpec& m) { return m.model == "j2" || m.model == "drucker-prager"; }
 
 std::array<bool, 2> BoundarySpec::components() const {
   const bool both = affine || field || rotation;

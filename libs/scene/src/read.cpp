@@ -44,8 +44,11 @@ MaterialSpec read_material(const Section& s) {
   out.poisson = s.number(
       "poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
   const bool j2 = out.model == "j2", cone = out.model == "drucker-prager";
-  for (const auto& [key, belongs] : {std::pair{"yield_stress", j2}, {"cohesion", cone}, {"friction", cone},
-                                     {"dilatancy", cone}, {"hardening", j2 || cone}})
+  for (const auto& [key, belongs] : {std::pair{"yield_stress", j2},
+                                     {"cohesion", cone},
+                                     {"friction", cone},
+                                     {"dilatancy", cone},
+                                     {"hardening", j2 || cone}})
     if (s.has(key) && !belongs) s.fail(key, fmt::format("is none of model = \"{}\"", out.model));
   if (j2) out.yield_stress = s.number("yield_stress", kPositive, "a positive number, Pa");
   if (cone) {
@@ -213,8 +216,7 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   if (materials.empty()) root.fail("material", "empty; allowed: one [material] section");
   if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
   out.material = read_material(materials[0]);
-  if (const auto s = root.section("formulation", "formulation"))
-    out.kinematics = read_formulation(*s);
+  if (const auto s = root.section("formulation", "formulation")) out.kinematics = read_formulation(*s);
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
     out.cracks.push_back(read_crack(s, out.cracks.size()));
@@ -237,7 +239,7 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
     out.gravity = {s->point("value"), s->number("density", kPositive, "a positive number, kg/m^3"), s->amplitude()};
   if (const auto s = root.section("exact", "exact")) {
     out.exact = s->field("solution");
-    if (out.material.model == "j2" || out.material.model == "drucker-prager")
+    if (is_plastic(out.material))
       s->fail("solution", "the fields are those of elastic bodies; allowed with hencky and neo-hookean only");
   }
   if (const auto s = root.section("loading", "loading")) out.loading = read_loading(*s);

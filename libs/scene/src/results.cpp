@@ -26,12 +26,13 @@ const char* name_of(contact::Status status) {
 
 }  // namespace
 
-std::vector<std::string> history_columns(const std::vector<std::string>& boundaries) {
+std::vector<std::string> history_columns(const std::vector<std::string>& boundaries, bool plastic) {
   std::vector<std::string> columns{"step", "load", "iterations", "cuts"};
   for (const auto& name : boundaries) columns.insert(columns.end(), {"fx_" + name, "fy_" + name});
   columns.insert(columns.end(), {"elastic_energy", "contact_energy", "plastic_dissipation", "viscous_dissipation",
                                  "friction_dissipation", "external_work", "contact_points", "slipping_points",
                                  "max_slip", "min_gap", "max_pressure", "max_plastic_strain"});
+  if (plastic) columns.emplace_back("min_localisation");
   return columns;
 }
 
@@ -39,7 +40,8 @@ Results::Results(const assembly::Model& model, std::string directory, const Chec
     : model_(model), directory_(std::move(directory)) {
   std::vector<std::string> boundaries;
   for (const auto& p : model.prescribed) boundaries.push_back(p.name);
-  open("history.csv", fmt::format("{}\n", fmt::join(history_columns(boundaries), ",")), resumed);
+  open("history.csv",
+       fmt::format("{}\n", fmt::join(history_columns(boundaries, assembly::has_memory(model.material)), ",")), resumed);
   open("newton.csv",
        "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
        "rounding,gradient\n",
@@ -88,8 +90,12 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
     gap = std::fmin(gap, q.gap);  // of one number and NaN it takes the number
     pressure = std::max(pressure, q.pressure);
   }
-  row += fmt::format(",{},{},0,0,{},{},{},{},{},{},{},0\n", e.elastic, e.contact, e.friction_dissipation,
-                     e.external_work, touching, slipping, slip, gap, pressure);
+  const PlasticExtremes extremes = plastic_extremes(model_, stepper.state());
+  row += fmt::format(",{},{},{},0,{},{},{},{},{},{},{},{}", e.elastic, e.contact, e.plastic_dissipation,
+                     e.friction_dissipation, e.external_work, touching, slipping, slip, gap, pressure,
+                     extremes.largest_strain);
+  if (assembly::has_memory(model_.material)) row += fmt::format(",{}", extremes.least_localisation);
+  row += '\n';
   logs_.at("history.csv").append(row);
 }
 
@@ -111,7 +117,7 @@ void Results::add_fields(const assembly::LoadStepper& stepper) {
     write_atomically(path(file), vtu_text(grid));
     outputs_.push_back({load, part, file});
   };
-  add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(model_, u));
+  add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(model_, stepper.state()));
   if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(model_, u, points));
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
 }

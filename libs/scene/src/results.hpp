@@ -11,7 +11,7 @@
 namespace cleft::scene {
 
 /// Columns of history.csv, with two for each named boundary.
-std::vector<std::string> history_columns(const std::vector<std::string>& boundaries);
+std::vector<std::string> history_columns(const std::vector<std::string>& boundaries, bool plastic);
 
 class Results {
  public:

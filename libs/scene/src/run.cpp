@@ -128,7 +128,7 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
 std::vector<std::string> history_columns(const Scene& scene) {
   std::vector<std::string> boundaries;
   for (const auto& b : scene.boundaries) boundaries.push_back(b.name);
-  return history_columns(boundaries);
+  return history_columns(boundaries, is_plastic(scene.material));
 }
 
 RunResult run(const Scene& scene, const RunOptions& options) {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kPart = 0.37;
 
 StateBetween between(const assembly::State& before, const VecX& after, double load) {
-  return {before.history, before.displacement + kPart * (after - before.displacement),
+  return {before, before.displacement + kPart * (after - before.displacement),
           before.load + kPart * (load - before.load)};
 }
 

@@ -22,7 +22,7 @@ struct Plain {
 std::vector<double> loads(Plain& run, int states) {
   std::vector<double> out;
   EXPECT_FALSE(visit_between(run.stepper, states, [&](const StateBetween& b) {
-    EXPECT_LT(b.history.load, b.load);
+    EXPECT_LT(b.before.load, b.load);
     out.push_back(b.load);
     return true;
   }));
@@ -47,10 +47,10 @@ TEST(VisitBetween, StopsOnceAnIncrementWhereMoreStatesAreAskedFor) {
 TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
   Plain run({"mesh.cells=[2,4]", "loading.steps=4"});
   EXPECT_FALSE(visit_between(run.stepper, 1, [&](const StateBetween& b) {
-    EXPECT_NEAR(b.history.load, 0.25, 1e-12);
+    EXPECT_NEAR(b.before.load, 0.25, 1e-12);
     const VecX& after = run.stepper.state().displacement;
-    EXPECT_LT((b.displacement - b.history.displacement - 0.37 * (after - b.history.displacement)).norm(), 1e-15);
-    EXPECT_GT((after - b.history.displacement).norm(), 1e-4);
+    EXPECT_LT((b.displacement - b.before.displacement - 0.37 * (after - b.before.displacement)).norm(), 1e-15);
+    EXPECT_GT((after - b.before.displacement).norm(), 1e-4);
     return true;
   }));
 }

@@ -26,7 +26,7 @@ struct Subject {
   TangentReport along_the_run(int states) {
     TangentReport report;
     EXPECT_FALSE(visit_between(stepper, states, [&](const StateBetween& b) {
-      EXPECT_FALSE(check_tangent(model, b.history, b.displacement, b.load, kTolerance, report));
+      EXPECT_FALSE(check_tangent(model, b.before.history, b.displacement, b.load, kTolerance, report));
       return true;
     }));
     return report;

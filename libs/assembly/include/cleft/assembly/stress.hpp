@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cleft/assembly/state.hpp"
+#include "cleft/constitutive/localisation.hpp"
 
 namespace cleft::assembly {
 
@@ -15,6 +16,11 @@ struct Stress {
 /// What a material answers to a deformation gradient, with what it remembers of the end of the step (nothing needed
 /// without memory).
 Stress stress_of(const Material& material, const Mat2& deformation, const constitutive::PlasticState& remembered = {});
+
+/// Localisation function (localisation.hpp) of a material at rest at a deformation gradient: 1 where it does not flow,
+/// and in all materials without memory.
+constitutive::Localisation localisation_of(const Material& material, const Mat2& deformation,
+                                           const constitutive::PlasticState& remembered);
 
 /// What a material that has been at rest so far answers to a deformation gradient.
 constitutive::Response respond_from_rest(const Material& material, const Mat2& deformation);

@@ -25,10 +25,13 @@ struct MaterialSpec {
   std::string model;   ///< hencky | neo-hookean | j2 | drucker-prager
   double young = 0.0;  ///< Pa
   double poisson = 0.0;
-  double yield_stress = 0.0;                              ///< of j2, uniaxial, Pa
+  double yield_stress = 0.0;                               ///< of j2, uniaxial, Pa
   double cohesion = 0.0, friction = 0.0, dilatancy = 0.0;  ///< of drucker-prager: alpha (Pa), beta, b
   double hardening = 0.0;  ///< Pa; of j2 the uniaxial modulus, of drucker-prager d alpha/d gamma
 };
+
+/// Whether the material flows.
+bool is_plastic(const MaterialSpec& material);
 
 enum class Kinematics : std::uint8_t { Finite, Small };
 

@@ -25,9 +25,17 @@ struct ProfilePoint {
 /// All contact points at the stepper's last converged state.
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper);
 
-/// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress; each side of a cut triangle has
-/// its own points.
-VtuGrid bulk_grid(const assembly::Model& model, const VecX& displacement);
+/// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress, and of a plastic material the
+/// accumulated plastic strain (the sum of the multipliers), the localisation function and the angle of its minimum
+/// (degrees, of the normal of the band from the x axis); each side of a cut triangle has its own points.
+VtuGrid bulk_grid(const assembly::Model& model, const assembly::State& state);
+
+/// Extremes over the body of a plastic material at rest: 0 and 1 without memory.
+struct PlasticExtremes {
+  double largest_strain = 0.0;  ///< accumulated
+  double least_localisation = 1.0;
+};
+PlasticExtremes plastic_extremes(const assembly::Model& model, const assembly::State& state);
 
 /// Both faces of every crack as lines with displacement and side, and with pressure and tractions where the face
 /// carries contact points (NaN on the other).

@@ -11,7 +11,7 @@ namespace cleft::verify {
 /// Part of the way from one converged state to the next, with the history of the first: contact points that slide do so
 /// in earnest, and none that sticks has just reached its limit.
 struct StateBetween {
-  const assembly::History& history;
+  const assembly::State& before;  ///< the first of the two converged states
   VecX displacement;  ///< metres, all components
   double load = 0.0;
 };
