@@ -38,9 +38,9 @@ DruckerPrager von_mises(const Lame& constants, double yield_stress, double harde
 }
 
 bool always_returns(const DruckerPrager& m) {
-  if (!(m.hardening >= 0.0) || !(m.dilatancy >= 0.0)) return false;
-  if (m.friction == 0.0) return m.cohesion > 0.0;
-  return m.friction > 0.0 && m.cohesion >= 0.0 && apex_stiffness(m) > 0.0;
+  if (!(m.hardening >= 0.0)) return false;
+  if (m.friction == 0.0) return m.cohesion > 0.0 && m.dilatancy >= 0.0;
+  return m.friction > 0.0 && m.cohesion >= 0.0 && m.dilatancy > 0.0;
 }
 
 double yield_function(const DruckerPrager& m, double pressure, double shear, double accumulated) {

@@ -41,8 +41,9 @@ struct DruckerPrager {
 /// thirds of the uniaxial modulus.
 DruckerPrager von_mises(const Lame& constants, double yield_stress, double hardening_modulus = 0.0);
 
-/// Whether every trial stress has a return: no softening, a cohesion that is not negative (and not zero for J2), and
-/// an apex that can be reached, by dilatancy or by hardening.
+/// Whether every trial stress has a return: no softening, a cohesion that is not negative (J2: positive), and a cone that
+/// dilates. Without dilatancy no plastic strain relieves the pressure, and the apex is out of reach (perfect plasticity) or
+/// comes to the stress by hardening without plastic strain.
 bool always_returns(const DruckerPrager& material);
 
 /// |s| + beta p - alpha(accumulated), Pa: negative inside.
