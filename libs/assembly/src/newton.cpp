@@ -90,12 +90,15 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
   change.setZero();
 }
 
-struct ContactTally {
+// What every contact point and every cell was doing at the last iterate.
+struct Tally {
   std::vector<Index> partner;
   std::vector<contact::Status> status;
+  std::vector<bool> flows;
 };
 
-void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteration& out) {
+void tally(const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
+  const auto& pairs = assembler.pairs();
   const bool first = last.partner.size() != pairs.size();
   last.partner.resize(pairs.size(), kNone);
   last.status.resize(pairs.size());
@@ -104,6 +107,14 @@ void tally(const std::vector<contact::Pair>& pairs, ContactTally& last, Iteratio
     if (!first && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
     last.partner[p] = pairs[p].partner_face;
     last.status[p] = pairs[p].state.traction.status;
+  }
+  const auto& plastic = assembler.plastic();
+  const bool any = last.flows.size() == plastic.size();
+  last.flows.resize(plastic.size());
+  for (std::size_t c = 0; c < plastic.size(); ++c) {
+    const bool flows = plastic[c].accumulated > history.plastic[c].accumulated;
+    if (any && last.flows[c] != flows) ++out.status_changes;
+    last.flows[c] = flows;
   }
 }
 
@@ -157,7 +168,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
   if (model.is_linear()) move_boundary(constraints, target, u, change);
 
-  ContactTally last;
+  Tally last;
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
   for (int i = 0;; ++i) {
@@ -172,7 +183,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     it.assembly_seconds = seconds() - assembly_before;
-    tally(assembler.pairs(), last, it);
+    tally(assembler, state.history, last, it);
 
     VecX rhs = dead - assembler.internal_force();
     double reactions = 0.0;

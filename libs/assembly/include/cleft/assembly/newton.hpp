@@ -27,7 +27,7 @@ struct Iteration {
   double gradient = 0.0;    ///< largest displacement gradient of the correction (Frobenius norm)
   double energy = 0.0;      ///< residual times correction, J/m
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
-  int status_changes = 0;   ///< contact points with another status than an iteration before
+  int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
 };
 

@@ -1,0 +1,161 @@
+// Plastic and small-strain bodies: tangents, histories, energies, and what a linear body saves.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cleft/assembly/stepping.hpp"
+#include "small_models.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+using contact::NegativeSide;
+
+const constitutive::Lame kElastic = constitutive::lame(1e10, 0.25);
+const constitutive::DruckerPrager kCone{kElastic, 8e8, 0.8, 0.7, 0.0};
+
+Model block_of(const Material& material, int cells = 8, NegativeSide side = NegativeSide::Left) {
+  Model model = models::block(cells, side);
+  model.material = material;
+  model.surfaces.undeformed = is_small_strain(material);
+  return model;
+}
+
+struct Kind {
+  const char* name;
+  Material material;
+};
+const Kind kKinds[] = {{"finite", constitutive::FinitePlastic{kCone}},
+                       {"small", constitutive::SmallPlastic{kCone}},
+                       {"j2", constitutive::FinitePlastic{constitutive::von_mises(kElastic, 1e9, 5e8)}}};
+
+class Yielding : public testing::TestWithParam<Kind> {
+ protected:
+  void advance(LoadStepper& stepper, double load) {
+    while (stepper.state().load < load - 1e-9) {
+      const auto outcome = stepper.advance();
+      ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Kinds, Yielding, testing::ValuesIn(kKinds), [](const auto& k) { return k.param.name; });
+
+TEST_P(Yielding, AssembledTangentMatchesDifferences) {
+  const Model model = block_of(GetParam().material);
+  LoadStepper stepper(model, {});
+  ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.6));
+  const State& state = stepper.state();
+  const VecX u = state.displacement + 0.37 * (state.displacement - state.previous_displacement);
+  Assembler assembler(model);
+  ASSERT_FALSE(assembler.assemble(u, state.history));
+  int flows = 0, rests = 0;
+  for (std::size_t c = 0; c < model.cells.size(); ++c)
+    ++(assembler.plastic()[c].accumulated > state.history.plastic[c].accumulated ? flows : rests);
+  EXPECT_GT(flows, 5);
+  EXPECT_GT(rests, 10);
+  const BlockMatrix matrix = assembler.matrix();
+  constexpr double kStep = 1e-8;
+  double worst = 0.0;
+  const double largest = Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < u.size(); ++k) {
+    VecX there = u, unit = VecX::Zero(u.size());
+    unit[k] = 1.0;
+    there[k] = u[k] + kStep;
+    ASSERT_FALSE(assembler.assemble(there, state.history));
+    const VecX up = assembler.internal_force();
+    there[k] = u[k] - kStep;
+    ASSERT_FALSE(assembler.assemble(there, state.history));
+    const VecX slope = (up - assembler.internal_force()) / (2.0 * kStep);
+    worst = std::max(worst, (matrix.multiply(unit) - slope).cwiseAbs().maxCoeff());
+  }
+  EXPECT_LT(worst, 1e-6 * largest);
+}
+
+TEST_P(Yielding, EnergyBalancesUpToTheSizeOfTheIncrements) {
+  double last = 1.0;
+  for (const int steps : {25, 100}) {
+    const Model model = block_of(GetParam().material);
+    StepControls controls;
+    controls.steps = steps;
+    LoadStepper stepper(model, controls);
+    ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.6));
+    const Energies& e = stepper.state().energies;
+    EXPECT_GT(e.plastic_dissipation, 0.02 * e.external_work);
+    const double imbalance = std::fabs(e.imbalance()) / e.external_work;
+    EXPECT_LT(imbalance, 0.1 / steps);
+    EXPECT_LT(imbalance, 0.5 * last);
+    last = imbalance;
+  }
+}
+
+TEST_P(Yielding, ARestoredRunGoesOnBitForBit) {
+  const Model model = block_of(GetParam().material);
+  LoadStepper stepper(model, {});
+  ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.5));
+  LoadStepper resumed(model, {});
+  resumed.restore(stepper.state(), stepper.place(), stepper.assembler().room());
+  ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.6));
+  ASSERT_NO_FATAL_FAILURE(advance(resumed, 0.6));
+  EXPECT_TRUE((stepper.state().displacement.array() == resumed.state().displacement.array()).all());
+  for (std::size_t c = 0; c < model.cells.size(); ++c)
+    ASSERT_EQ(stepper.state().history.plastic[c].accumulated, resumed.state().history.plastic[c].accumulated);
+}
+
+TEST_P(Yielding, AnIncrementThatFailsLeavesNoTrace) {
+  const Model model = block_of(GetParam().material);
+  LoadStepper stepper(model, {});
+  ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.5));
+  const State before = stepper.state();
+  Assembler assembler(model);
+  assembler.set_room(stepper.assembler().room());
+  LinearSolver solver(Factorisation::Unsymmetric);
+  NewtonControls once;
+  once.max_iterations = 1;
+  ASSERT_TRUE(solve_increment(model, stepper.constraints(), before, 0.7, once, assembler, solver, {}).failure);
+  ASSERT_FALSE(assembler.assemble(before.displacement, before.history));
+  const VecX force = assembler.internal_force();
+  Assembler fresh(model);
+  fresh.set_room(stepper.assembler().room());
+  ASSERT_FALSE(fresh.assemble(before.displacement, before.history));
+  EXPECT_TRUE((force.array() == fresh.internal_force().array()).all());
+}
+
+Model plain(const Material& material) {
+  Model m;
+  m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {6, 6}, geometry::Diagonal::Left);
+  models::discretise(m, 1.0, 0.0, NegativeSide::Left, 1e10);
+  m.material = material;
+  m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {0.1, -0.2})};
+  return m;
+}
+
+TEST(Linear, OneFactorisationServesAllLoads) {
+  Model model = plain(constitutive::LinearElastic{kElastic});
+  model.prescribed[1].displacement = [](const Vec2&, geometry::MaybeSide, double load) {
+    return Vec2(0.1 * std::sin(3.0 * load), -0.2 * load * load);  // so that extrapolation misses
+  };
+  LoadStepper stepper(model, {});
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    EXPECT_LT(std::get<Step>(outcome).left.residual, 1e-12);
+  }
+  EXPECT_EQ(stepper.solver().seconds().factorisations, 1);
+  EXPECT_EQ(stepper.solver().seconds().unsymmetric_fallbacks, 0);
+
+  LoadStepper at_once(model, {.steps = 1});
+  ASSERT_TRUE(std::holds_alternative<Step>(at_once.advance()));
+  EXPECT_LT((stepper.state().displacement - at_once.state().displacement).norm(), 1e-12);
+}
+
+TEST(Linear, SymmetricFactorisationGoesWithAssociatedFlow) {
+  constitutive::DruckerPrager associated = kCone;
+  associated.dilatancy = associated.friction;
+  EXPECT_EQ(LoadStepper::factorisation_for(plain(constitutive::FinitePlastic{kCone})), Factorisation::Unsymmetric);
+  EXPECT_EQ(LoadStepper::factorisation_for(plain(constitutive::FinitePlastic{associated})), Factorisation::Symmetric);
+  EXPECT_EQ(LoadStepper::factorisation_for(block_of(constitutive::LinearElastic{kElastic})),
+            Factorisation::Unsymmetric);
+}
+
+}  // namespace
+}  // namespace cleft::assembly
