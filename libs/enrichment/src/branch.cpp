@@ -26,16 +26,4 @@ Cutoff cutoff(double r, double plateau, double radius) {
   return {1.0 - x * x * x * (10.0 - 15.0 * x + 6.0 * x * x), -30.0 * x * x * (1.0 - x) * (1.0 - x) / width};
 }
 
-Branches branches_in_ball(const geometry::TipBall& ball, double plateau, const Vec2& point, geometry::MaybeSide side) {
-  if ((point - ball.frame.tip()).squaredNorm() >= ball.radius * ball.radius) return {};
-  const geometry::TipPolar at = ball.frame.at(point, side);
-  const Cutoff chi = cutoff(at.r, plateau * ball.radius, ball.radius);
-  Branches out = branches(at);
-  for (int a = 0; a < kBranches; ++a) {
-    out.gradient[a] = chi.value * out.gradient[a] + chi.slope * out.value[a] * at.r_gradient;
-    out.value[a] *= chi.value;
-  }
-  return out;
-}
-
 }  // namespace cleft::enrichment

@@ -47,7 +47,7 @@ std::vector<TipPoint> make_tip_points(const geometry::Mesh& mesh, const geometry
         places.clear();
         for (const Corners& part : piece.triangles) place_points(part, cut.tips[tip].frame.tip(), refinement, places);
         for (const auto& [place, weight] : places)
-          points.push_back({t, piece.side, tip, triangle.unknown(), triangle.gradient(place), weight, place});
+          points.push_back({t, piece.side, tip, triangle.unknown(), triangle.at(place).gradient, weight, place});
       }
     }
   }
@@ -58,7 +58,7 @@ Stencil stencil_at(const geometry::Mesh& mesh, const geometry::CutMesh& cut, con
                    MaybeSide side, const Vec2& point) {
   if (!cut.tip_of_element.empty() && cut.tip_of_element[element] != kNone) {
     const TipTriangle triangle(mesh, cut, unknowns, element, side);
-    return {triangle.unknown(), triangle.weight(point)};
+    return {triangle.unknown(), triangle.at(point).weight};
   }
   return {triangle_unknowns(mesh, cut, unknowns, element, side), geometry::shape_values(mesh, element, point)};
 }

@@ -13,8 +13,8 @@ using Points = std::vector<QuadraturePoint>;
 constexpr double kLargest = 1.0;
 // A tip within this part of a triangle's size from an edge or corner is on it.
 constexpr double kOnEdge = 1e-10;
-// Halvings after which a triangle is negligible, whatever the tip's distance.
-constexpr int kDeepest = 24;
+// Bisections after which a triangle is negligible, whatever the tip's distance.
+constexpr int kDeepest = 32;
 
 double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
@@ -31,6 +31,16 @@ double distance(const Vec2& a, const Vec2& b, const Vec2& point) {
 std::array<Corners, 4> quarters(const Corners& t) {
   const Vec2 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
   return {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{ab, bc, ca}};
+}
+
+// The longest edge is halved, which turns needles into well-shaped triangles on the way.
+std::array<Corners, 2> halves(const Corners& t) {
+  int k = 0;
+  for (const int other : {1, 2})
+    if ((t[(other + 1) % 3] - t[other]).norm() > (t[(k + 1) % 3] - t[k]).norm()) k = other;
+  const Vec2 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+  const Vec2 middle = 0.5 * (a + b);
+  return {Corners{a, middle, c}, Corners{middle, b, c}};
 }
 
 // Radon's seven points, exact to degree 5.
@@ -54,12 +64,12 @@ constexpr std::array<GaussPoint, 5> kGauss{{{0.046910077030668, 0.11846344252809
 
 // The tip is corner 0: x = tip + r [(1 - s) (a - tip) + s (b - tip)], dA = 2 Area r dr ds. With r = p^2 the integrand,
 // r^(-1), r^(-1/2), 1 ... times r, is a polynomial of p. In s it is smooth where a-b is seen under no large angle.
-void place_polar(const Corners& t, Points& points) {
+void place_polar(const Corners& t, int depth, Points& points) {
   const Vec2 &tip = t[0], &a = t[1], &b = t[2];
-  if ((b - a).norm() > kLargest * distance(a, b, tip) && (b - a).norm() > kOnEdge * size_of(t)) {
+  if ((b - a).norm() > kLargest * distance(a, b, tip) && depth < kDeepest) {
     const Vec2 middle = 0.5 * (a + b);
-    place_polar({tip, a, middle}, points);
-    place_polar({tip, middle, b}, points);
+    place_polar({tip, a, middle}, depth + 1, points);
+    place_polar({tip, middle, b}, depth + 1, points);
     return;
   }
   const double twice = twice_area(t);
@@ -81,7 +91,7 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
   }
   if (inside) {
     for (const Corners& part : fan) {
-      if (twice_area(part) > negligible) place_polar(part, points);
+      if (twice_area(part) > negligible) place_polar(part, 0, points);
     }
     return;
   }
@@ -89,7 +99,7 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
   if (size <= kLargest * away || depth == kDeepest) {
     place_smooth(t, points);
   } else {
-    for (const Corners& part : quarters(t)) place(part, tip, depth + 1, points);
+    for (const Corners& part : halves(t)) place(part, tip, depth + 1, points);
   }
 }
 

@@ -23,30 +23,35 @@ TipTriangle::TipTriangle(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   for (int k = 0; k < 3; ++k) {
     unknown_[k] = own[k];
     const Vec2& node = mesh.nodes[unknowns.node_of[own[k]]];
-    shift_[k] = branches_in_ball(ball_, plateau_, node, unknowns.side_of[own[k]]).value;
+    shift_[k] = branches(ball_.frame.at(node, unknowns.side_of[own[k]])).value;
   }
   for (int a = 0; a < kBranches; ++a) unknown_[3 + a] = unknowns.amplitude(cut.tip_of_element[element], a);
 }
 
-std::array<double, 3 + kBranches> TipTriangle::weight(const Vec2& point) const {
-  std::array<double, 3 + kBranches> out{};
+TipTriangle::Local TipTriangle::at(const Vec2& point) const {
+  Local out;
   const auto N = geometry::shape_values(mesh_, element_, point);
-  const Branches f = branches_in_ball(ball_, plateau_, point, side_);
-  for (int k = 0; k < 3; ++k) out[k] = N[k];
-  for (int a = 0; a < kBranches; ++a) {
-    out[3 + a] = f.value[a];
-    for (int k = 0; k < 3; ++k) out[3 + a] -= N[k] * shift_[k][a];
+  for (int k = 0; k < 3; ++k) {
+    out.weight[k] = N[k];
+    out.gradient[k] = shape_gradient_[k];
   }
-  return out;
-}
-
-std::array<Vec2, 3 + kBranches> TipTriangle::gradient(const Vec2& point) const {
-  std::array<Vec2, 3 + kBranches> out;
-  const Branches f = branches_in_ball(ball_, plateau_, point, side_);
-  for (int k = 0; k < 3; ++k) out[k] = shape_gradient_[k];
   for (int a = 0; a < kBranches; ++a) {
-    out[3 + a] = f.gradient[a];
-    for (int k = 0; k < 3; ++k) out[3 + a] -= shift_[k][a] * shape_gradient_[k];
+    out.weight[3 + a] = 0.0;
+    out.gradient[3 + a].setZero();
+  }
+  const geometry::TipPolar polar = ball_.frame.at(point, side_);
+  if (polar.r >= ball_.radius) return out;
+  const Cutoff chi = cutoff(polar.r, plateau_ * ball_.radius, ball_.radius);
+  const Branches f = branches(polar);
+  for (int a = 0; a < kBranches; ++a) {
+    double value = f.value[a];
+    Vec2 gradient = f.gradient[a];
+    for (int k = 0; k < 3; ++k) {
+      value -= N[k] * shift_[k][a];
+      gradient -= shift_[k][a] * shape_gradient_[k];
+    }
+    out.weight[3 + a] = chi.value * value;
+    out.gradient[3 + a] = chi.value * gradient + chi.slope * value * polar.r_gradient;
   }
   return out;
 }

@@ -15,8 +15,12 @@ class TipTriangle {
               geometry::MaybeSide side);
 
   const std::array<Index, 3 + kBranches>& unknown() const { return unknown_; }
-  std::array<double, 3 + kBranches> weight(const Vec2& point) const;
-  std::array<Vec2, 3 + kBranches> gradient(const Vec2& point) const;
+
+  struct Local {
+    std::array<double, 3 + kBranches> weight{};
+    std::array<Vec2, 3 + kBranches> gradient{};
+  };
+  Local at(const Vec2& point) const;
 
  private:
   const geometry::Mesh& mesh_;

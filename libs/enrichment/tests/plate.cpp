@@ -10,18 +10,39 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-template <class Unknown, class Gradient>
-void add(const Unknown& unknown, const Gradient& gradient, double weight, const Elastic& elastic, Triplets& out) {
-  for (std::size_t k = 0; k < unknown.size(); ++k) {
-    for (std::size_t l = 0; l < unknown.size(); ++l) {
-      const Vec2 &g = gradient[k], &h = gradient[l];
-      const Mat2 block =
-          weight * (elastic.lambda() * g * h.transpose() + h * g.transpose() + g.dot(h) * Mat2::Identity());
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) out.emplace_back(2 * unknown[k] + i, 2 * unknown[l] + j, block(i, j));
-    }
+// Adds up over points of the same unknowns, one triangle's, before it makes entries of the sum.
+template <std::size_t count>
+class Local {
+ public:
+  explicit Local(Triplets& out) : out_(out) {}
+  ~Local() { flush(); }
+  Local(const Local&) = delete;
+  Local& operator=(const Local&) = delete;
+
+  void add(const std::array<Index, count>& unknown, const std::array<Vec2, count>& gradient, double weight,
+           const Elastic& elastic) {
+    if (unknown != unknown_) flush();
+    unknown_ = unknown;
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t l = 0; l < count; ++l) {
+        const Vec2 &g = gradient[k], &h = gradient[l];
+        K_.template block<2, 2>(2 * k, 2 * l) +=
+            weight * (elastic.lambda() * g * h.transpose() + h * g.transpose() + g.dot(h) * Mat2::Identity());
+      }
   }
-}
+
+ private:
+  void flush() {
+    for (std::size_t k = 0; k < 2 * count; ++k)
+      for (std::size_t l = 0; l < 2 * count; ++l)
+        if (K_(k, l) != 0.0) out_.emplace_back(2 * unknown_[k / 2] + k % 2, 2 * unknown_[l / 2] + l % 2, K_(k, l));
+    K_.setZero();
+  }
+
+  Triplets& out_;
+  std::array<Index, count> unknown_{};
+  Eigen::Matrix<double, 2 * count, 2 * count> K_ = Eigen::Matrix<double, 2 * count, 2 * count>::Zero();
+};
 
 }  // namespace
 
@@ -44,8 +65,12 @@ std::vector<bool> Plate::prescribed() const {
 
 Eigen::SparseMatrix<double> Plate::stiffness() const {
   Triplets triplets;
-  for (const Cell& cell : cells) add(cell.unknown, cell.gradient, cell.area, elastic, triplets);
-  for (const TipPoint& point : points) add(point.unknown, point.gradient, point.weight, elastic, triplets);
+  {
+    Local<3> local(triplets);
+    for (const Cell& cell : cells) local.add(cell.unknown, cell.gradient, cell.area, elastic);
+    Local<3 + kBranches> near_tip(triplets);
+    for (const TipPoint& point : points) near_tip.add(point.unknown, point.gradient, point.weight, elastic);
+  }
   Eigen::SparseMatrix<double> K(unknowns.components(), unknowns.components());
   K.setFromTriplets(triplets.begin(), triplets.end());
   return K;
@@ -110,8 +135,7 @@ Errors Plate::errors(const CrackField& exact, const VecX& u) const {
     square += weight * (stencil_at(mesh, cut, unknowns, element, side, X).displacement(u) - v).squaredNorm();
     whole_square += weight * v.squaredNorm();
   };
-  for (const TipPoint& p : points)
-    visit(p.element, p.side, p.reference, p.weight, p.deformation(u) - Mat2::Identity());
+  for (const TipPoint& p : points) visit(p.element, p.side, p.reference, p.weight, p.deformation(u) - Mat2::Identity());
   std::vector<QuadraturePoint> places;
   for (const Cell& cell : cells) {
     places.clear();

@@ -22,8 +22,7 @@ struct Plate {
   std::vector<TipPoint> points;
   Elastic elastic;
 
-  Plate(geometry::Mesh body, const std::vector<geometry::Crack>& cracks, double plateau = kPlateau,
-        int refinement = 0);
+  Plate(geometry::Mesh body, const std::vector<geometry::Crack>& cracks, double plateau = kPlateau, int refinement = 0);
 
   /// Exact values of the unknowns on the boundary of the mesh and their ghosts, kFree elsewhere.
   std::vector<bool> prescribed() const;

@@ -1,5 +1,5 @@
 /// \file
-/// The functions that span the singular field at a crack tip, cut off smoothly.
+/// The functions that span the singular field at a crack tip, and how they fade out.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace cleft::enrichment {
 
 inline constexpr int kBranches = 4;
 
-/// The part of a ball's radius within which the functions are not cut off.
-inline constexpr double kPlateau = 0.3;
+/// The part of a ball's radius within which the functions count in full.
+inline constexpr double kPlateau = 0.8;
 
 /// The four functions at one point. Only the second jumps over the crack, by 2 sqrt(r).
 struct Branches {
@@ -30,9 +30,5 @@ struct Cutoff {
   double slope = 0.0;  ///< 1/m
 };
 Cutoff cutoff(double r, double plateau, double radius);
-
-/// The four functions times chi, at `point` of the ball; `plateau` is a fraction of its radius. What the side does is
-/// said at TipFrame::at.
-Branches branches_in_ball(const geometry::TipBall& ball, double plateau, const Vec2& point, geometry::MaybeSide side);
 
 }  // namespace cleft::enrichment

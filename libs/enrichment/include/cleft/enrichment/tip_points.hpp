@@ -2,13 +2,18 @@
 /// The triangles that a tip's ball meets, as quadrature points: their displacement is not linear.
 ///
 /// There the displacement is that of the three unknowns of the triangle, or of its side, and of the four vector
-/// amplitudes c_a of the tip (Chahine, Laborde and Renard 2008),
+/// amplitudes c_a of the tip,
 ///
-///     u(X) = sum_k N_k(X) q_k + sum_a c_a [ f_a(X) - sum_k N_k(X) f_a(X_k) ],     f_a = F_a chi,
+///     u(X) = sum_k N_k(X) q_k + sum_a c_a chi(r) [ F_a(X) - sum_k N_k(X) F_a(X_k) ],
 ///
-/// with the branch functions F_a and their cutoff chi. f_a(X_k) is taken on the side of unknown k: at the node for the
+/// with the branch functions F_a and the cutoff chi. F_a(X_k) is taken on the side of unknown k: at the node for the
 /// node's own displacement, and for a ghost continued to the node over the crack. So the unknowns keep their meaning,
-/// the displacement of that side at that node, and amplitudes change it between nodes only.
+/// the displacement of that side at that node, and the amplitudes tell how it goes between the nodes. Amplitudes are
+/// vectors and functions numbers, so that a rigid rotation of the body turns them with everything else.
+///
+/// One amplitude a function and tip, as by Chahine, Laborde and Renard (2008); but they cut off F_a itself, whose
+/// curvature in the layer where chi falls is then left to the linear triangles. Here what these cannot represent is cut
+/// off, the difference of F_a from its interpolant (as by Babuska and Banerjee 2012), which costs O(h^2) in that layer.
 #pragma once
 
 #include <array>

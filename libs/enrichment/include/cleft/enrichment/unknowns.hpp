@@ -29,7 +29,7 @@ struct Unknowns {
   /// Per unknown: the side whose displacement it is, as the cut has it; none at a node around which nothing is cut, and
   /// for an amplitude.
   std::vector<geometry::MaybeSide> side_of;
-  double plateau = kPlateau;  ///< radius of a ball within which its functions are not cut off at all, over its own
+  double plateau = kPlateau;  ///< part of a ball's radius within which its functions count in full
   Index enriched() const { return count - nodes; }
   /// The amplitude of branch function `a` (0 to 3) at a tip, an index into CutMesh::tips; m^(1/2).
   Index amplitude(Index tip, int a) const { return first_amplitude + kBranches * tip + a; }
