@@ -11,7 +11,7 @@ namespace cleft::enrichment {
 inline constexpr int kBranches = 4;
 
 /// The part of a ball's radius within which the functions count in full.
-inline constexpr double kPlateau = 0.8;
+inline constexpr double kPlateau = 0.65;
 
 /// The four functions at one point. Only the second jumps over the crack, by 2 sqrt(r).
 struct Branches {
