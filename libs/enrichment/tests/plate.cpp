@@ -128,6 +128,7 @@ VecX Plate::solve(const CrackField& exact) const {
 Errors Plate::errors(const CrackField& exact, const VecX& u) const {
   double energy = 0.0, whole_energy = 0.0, square = 0.0, whole_square = 0.0;
   const auto visit = [&](Index element, geometry::MaybeSide side, const Vec2& X, double weight, const Mat2& gradient) {
+    if (X == exact.tip) return;  // a point of next to no weight
     const Mat2 H = exact.gradient(X, side), off = gradient - H;
     const Vec2 v = exact.displacement(X, side);
     energy += weight * off.cwiseProduct(elastic.stress(off)).sum();

@@ -10,8 +10,8 @@
 namespace cleft::enrichment::test {
 
 struct Errors {
-  double energy = 0.0;    ///< of the difference, over that of the exact field, in the energy norm
-  double strength = 0.0;  ///< the same in the L2 norm of the displacement
+  double energy = 0.0;        ///< of the gradient in the energy norm, over that of the exact field
+  double displacement = 0.0;  ///< of the displacement in the L2 norm, likewise
 };
 
 struct Plate {
