@@ -108,14 +108,15 @@ Index number_free(const std::vector<bool>& prescribed, std::vector<Index>& numbe
 
 }  // namespace
 
-VecX Plate::solve(const CrackField& exact) const {
+VecX Plate::solve(const CrackField& exact, const VecX& forces) const {
   std::vector<Index> number;
   const Index count = number_free(prescribed(), number);
   const auto K = stiffness();
   VecX u = interpolate(exact);
   for (Index k = 0; k < u.size(); ++k)
     if (number[k] != kNone) u[k] = 0.0;
-  const VecX force = K * u;
+  VecX force = K * u;
+  if (forces.size() > 0) force -= forces;
   VecX load(count);
   for (Index k = 0; k < u.size(); ++k)
     if (number[k] != kNone) load[number[k]] = -force[k];

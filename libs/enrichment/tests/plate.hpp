@@ -29,8 +29,8 @@ struct Plate {
 
   Eigen::SparseMatrix<double> stiffness() const;
 
-  /// Displacement under exact values on the boundary.
-  VecX solve(const CrackField& exact) const;
+  /// Displacement under exact values on the boundary, and forces on the unknowns besides.
+  VecX solve(const CrackField& exact, const VecX& forces = {}) const;
 
   /// Nodal values of the exact field, amplitudes 0.
   VecX interpolate(const CrackField& exact) const;

@@ -96,6 +96,19 @@ TEST(TipOrders, ConditionStaysThatOfLinearTriangles) {
     }
 }
 
+// Tips anywhere, every other one within a hundredth to a millionth of an element from a node.
+TEST(TipOrders, ConditionHardlyDependsOnTheTipsPlace) {
+  const int n = 20;
+  const double h = 2.0 / n;
+  for (int k = 0; k < 24; ++k) {
+    const double near = k % 2 == 0 ? 1.0 : std::pow(10.0, -2 - k / 6);
+    const Vec2 tip = h * (Vec2(k % 5 - 2, k % 3 - 1) + near * Vec2(0.37 * std::sin(k), 0.41 * std::cos(3 * k)));
+    const double direction = k % 3 == 0 ? 0.0 : 0.9 * k;
+    const double without = test::box_with_crack(n, tip, direction, 0.0).condition();
+    EXPECT_LT(test::box_with_crack(n, tip, direction, 0.3).condition(), 1.4 * without) << k;
+  }
+}
+
 TEST(TipOrders, ABallCutByTheBoundaryIsAsGood) {
   const Case near_edge{{0.8, 0.033}, 0.0};
   const auto e = errors(near_edge, 0.5, {20, 40, 80});

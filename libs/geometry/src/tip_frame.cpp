@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "cleft/geometry/tip.hpp"
@@ -11,6 +12,10 @@ TipFrame::TipFrame(const std::vector<Vec2>& points, Side positive) : tip_(points
     const Vec2 from_tip = points[k] - tip_;
     arms_.push_back({from_tip.norm(), along, cross(along, from_tip)});
   }
+}
+
+double TipFrame::straight_until() const {
+  return arms_.size() > 1 ? arms_[1].r : std::numeric_limits<double>::infinity();
 }
 
 TipPolar TipFrame::at(const Vec2& point, MaybeSide side) const {

@@ -33,6 +33,9 @@ class TipFrame {
   /// Unit vector straight ahead, against the crack's first segment.
   Vec2 ahead() const { return -arms_.front().along; }
 
+  /// Distance from the tip to the crack's first bend, metres; infinite if there is none.
+  double straight_until() const;
+
   /// Coordinates of `point` (metres). Without a side the angle is in (-pi, pi]. With one, a point that lies within 90
   /// degrees of the crack is taken to be on this side, and if it is really beyond the crack, the angle goes on past
   /// +-pi to it. So it tells the two faces apart, and continues a field of one side smoothly to the other side's
