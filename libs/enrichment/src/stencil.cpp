@@ -1,5 +1,7 @@
 #include "cleft/enrichment/stencil.hpp"
 
+#include "cleft/enrichment/tip_points.hpp"
+
 namespace cleft::enrichment {
 namespace {
 
@@ -7,7 +9,7 @@ using geometry::Side;
 
 Face make_face(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns,
                const geometry::FaceSegment& segment, Side side) {
-  const auto& element = cut.elements[segment.cut];
+  const Index element = segment.cut == kNone ? cut.tips[segment.tip].element : cut.elements[segment.cut].element;
   Face face;
   face.reference_start = segment.start;
   face.reference_end = segment.end;
@@ -15,10 +17,8 @@ Face make_face(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const U
   face.s_end = segment.s_end;
   face.crack = segment.crack;
   face.side = side;
-  for (int k = 0; k < 3; ++k)
-    face.start.unknown[k] = face.end.unknown[k] = side_unknown(unknowns, mesh, element, k, side);
-  face.start.weight = geometry::shape_values(mesh, element.element, segment.start);
-  face.end.weight = geometry::shape_values(mesh, element.element, segment.end);
+  face.start = stencil_at(mesh, cut, unknowns, element, side, segment.start);
+  face.end = stencil_at(mesh, cut, unknowns, element, side, segment.end);
   return face;
 }
 
@@ -28,6 +28,7 @@ std::vector<Cell> make_cells(const geometry::Mesh& mesh, const geometry::CutMesh
   std::vector<Cell> cells;
   cells.reserve(mesh.triangles.size() + cut.elements.size());
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
+    if (!cut.tip_of_element.empty() && cut.tip_of_element[t] != kNone) continue;
     Cell cell;
     cell.element = t;
     cell.gradient = geometry::shape_gradients(mesh, t);

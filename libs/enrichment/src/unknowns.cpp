@@ -31,6 +31,10 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
     out.node_of.push_back(node);
     out.side_of.emplace_back(geometry::other(*out.side_of[node]));
   }
+  out.first_amplitude = out.count;
+  out.count += kBranches * static_cast<Index>(cut.tips.size());
+  out.node_of.resize(out.count, kNone);
+  out.side_of.resize(out.count);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "crack_check.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "cleft/geometry/segment_grid.hpp"
@@ -13,6 +14,9 @@ namespace {
 void check_points(const Crack& crack) {
   if (crack.points.size() < 2)
     throw InputError({}, crack.name, "has fewer than two points; a crack needs at least two");
+  if (!(crack.tip_radius >= 0.0) || !std::isfinite(crack.tip_radius)) {
+    throw InputError({}, crack.name, "has a tip radius that is negative or not finite; allowed: 0 (none) or more");
+  }
   for (std::size_t k = 0; k < crack.points.size(); ++k) {
     if (!crack.points[k].allFinite()) {
       throw InputError({}, crack.name, "point " + std::to_string(k + 1) + " is not finite");

@@ -4,7 +4,9 @@
 
 #include "cleft/support/error.hpp"
 #include "crack_check.hpp"
+#include "face_segments.hpp"
 #include "split.hpp"
+#include "tip_balls.hpp"
 #include "tips.hpp"
 #include "trace.hpp"
 
@@ -35,11 +37,16 @@ class Cutter {
       settle_tips(terrain_, tracer, cracks_[c], trace, tip_nodes);
       add_elements(result, static_cast<Index>(c), trace);
       check_opens(result, static_cast<Index>(c), tip_nodes);
-      add_segments(result, static_cast<Index>(c), trace);
+      for (const TipPassage& tip : trace.tips)
+        result.tips.push_back(make_ball(terrain_, cracks_[c], static_cast<Index>(c), trace, tip));
+      add_segments(terrain_, cracks_[c], static_cast<Index>(c), trace, result);
       result.tip_nodes.insert(result.tip_nodes.end(), tip_nodes.begin(), tip_nodes.end());
     }
     std::sort(result.tip_nodes.begin(), result.tip_nodes.end());
     result.tip_nodes.erase(std::unique(result.tip_nodes.begin(), result.tip_nodes.end()), result.tip_nodes.end());
+    if (result.tips.empty()) return;
+    check_balls(cracks_, result.tips);
+    result.tip_of_element = balls_of_elements(mesh(), cracks_, result.tips);
   }
 
  private:
@@ -112,46 +119,6 @@ class Cutter {
     }
     throw InputError({}, cracks_[static_cast<std::size_t>(c)].name,
                      "is too short for the mesh: no node can open; refine the mesh around it or make it longer");
-  }
-
-  void add_segments(CutMesh& result, Index c, const Trace& trace) const {
-    const Crack& crack = cracks_[static_cast<std::size_t>(c)];
-    const Tracer tracer(terrain_, crack);
-    CrackCut entry;
-    entry.first_segment = static_cast<Index>(result.segments.size());
-    for (const Chain& chain : trace.chains) {
-      const EdgeCrossing& begin = trace.crossings[static_cast<std::size_t>(chain.passages.front().in)];
-      Vec2 from = begin.point;
-      double s = begin.s;
-      bool joins = false;
-      result.snapped += begin.snapped_to != kNone;
-      for (const Passage& passage : chain.passages) {
-        const Index cut = result.cut_of_element[static_cast<std::size_t>(passage.element)];
-        const auto go_to = [&](const Vec2& to, double s_to) {
-          if (to == from) return;
-          // Snapping may move a vertex past its neighbour by a millionth of an edge; lengths never run back.
-          s_to = std::max(s, s_to);
-          result.segments.push_back({cut, c, from, to, s, s_to, joins});
-          joins = true;
-          from = to;
-          s = s_to;
-        };
-        const std::vector<Vec2> kinks = kinks_of(terrain_.topology, trace, crack, passage);
-        for (std::size_t k = 0; k < kinks.size(); ++k) {
-          const int point = passage.first_kink + static_cast<int>(k);
-          go_to(kinks[k], tracer.arc_length(crack.points[static_cast<std::size_t>(point)], point - 1));
-        }
-        const EdgeCrossing& out = trace.crossings[static_cast<std::size_t>(passage.out)];
-        go_to(out.point, out.s);
-        result.snapped += out.snapped_to != kNone;
-      }
-    }
-    entry.last_segment = static_cast<Index>(result.segments.size());
-    const EdgeCrossing& start = trace.crossings[static_cast<std::size_t>(trace.chains.front().passages.front().in)];
-    const EdgeCrossing& end = trace.crossings[static_cast<std::size_t>(trace.chains.back().passages.back().out)];
-    entry.ends[0] = {trace.chains.front().kind[0], crack.points.front(), start.point, start.s};
-    entry.ends[1] = {trace.chains.back().kind[1], crack.points.back(), end.point, end.s};
-    result.cracks.push_back(entry);
   }
 
   const std::vector<Crack>& cracks_;

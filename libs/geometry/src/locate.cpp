@@ -1,16 +1,11 @@
 #include <algorithm>
 
+#include "distance.hpp"
 #include "trace.hpp"
 
 namespace cleft::geometry {
 
 namespace {
-
-double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& point) {
-  const Vec2 along = b - a;
-  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - fraction * along).norm();
-}
 
 bool contains(const Topology& topology, Index t, const Vec2& point) {
   for (int k = 0; k < 3; ++k) {

@@ -52,6 +52,14 @@ void settle_tip(const Terrain& terrain, const Tracer& tracer, const Crack& crack
   const double nominal = end == 0 ? 0.0 : tracer.length();
   const double back = std::abs(at(trace, inner).s - nominal);
   const double on = std::abs(at(trace, exit.crossing).s - nominal);
+  if (crack.tip_radius > 0.0) {
+    Passage led_on = passage;
+    (end == 0 ? led_on.in : led_on.out) = exit.crossing;
+    (end == 0 ? led_on.in_edge : led_on.out_edge) = exit.local_edge;
+    trace.tips.push_back({end, led_on});
+    chain.passages.erase(end == 0 ? chain.passages.begin() : chain.passages.end() - 1);
+    return;
+  }
   // Without the margin rounding would choose where both are equally near, as at a node, and the choice depend on
   // direction.
   if (on < back - 1e-9 * terrain.topology.size(passage.element)) {
@@ -79,6 +87,14 @@ bool divides(const Terrain& terrain, const Trace& trace, const Crack& crack, con
     }
   }
   return false;
+}
+
+std::size_t closed_ends(const Trace& trace) {
+  std::size_t count = 0;
+  for (const Chain& chain : trace.chains) {
+    for (const auto kind : chain.kind) count += kind == CrackEnd::Kind::Tip ? 1 : 0;
+  }
+  return count;
 }
 
 void collect_tip_nodes(const Trace& trace, const Chain& chain, std::vector<Index>& tip_nodes) {
@@ -125,6 +141,7 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
     if (closed_end && !chain.passages.empty()) settle_tip(terrain, tracer, crack, trace, chain, 1);
     if (closed_start) drop_empty_passages(terrain.topology, trace, crack, chain, 0);
     if (closed_end) drop_empty_passages(terrain.topology, trace, crack, chain, 1);
+    if (crack.tip_radius > 0.0 && (closed_start || closed_end) && chain.passages.empty()) too_short(crack);
   }
   std::erase_if(trace.chains, [](const Chain& chain) { return chain.passages.empty(); });
   if (trace.chains.empty()) too_short(crack);
@@ -134,6 +151,7 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
                      "lies outside of the body: it only touches the boundary or runs along it; at least a part of a "
                      "crack must be inside");
   }
+  if (!trace.tips.empty() && closed_ends(trace) != trace.tips.size()) too_short(crack);
   for (const Chain& chain : trace.chains) collect_tip_nodes(trace, chain, tip_nodes);
 }
 

@@ -14,6 +14,9 @@ namespace cleft::geometry {
 /// size move it back. A tip moved on to the boundary becomes a mouth. Chains that do not divide the body (of no length,
 /// or along its boundary) are removed. Appends the nodes at which the jump must vanish to `tip_nodes`.
 ///
+/// With a tip radius no tip is moved: its triangle leaves the chain, which so ends at the crossing by which the crack
+/// enters it, and is listed in `trace.tips`.
+///
 /// Throws InputError (key = name of the crack) if nothing of the crack is left, or if the way on crosses the crack
 /// itself.
 void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace,

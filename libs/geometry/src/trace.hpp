@@ -38,9 +38,16 @@ struct Chain {
   std::array<CrackEnd::Kind, 2> kind{CrackEnd::Kind::Mouth, CrackEnd::Kind::Mouth};
 };
 
+/// A crack's end inside a triangle that keeps it, with the crossing by which the crack's straight line leads on.
+struct TipPassage {
+  int end;  ///< 0 the crack's first, 1 its last point
+  Passage passage;
+};
+
 struct Trace {
   std::vector<EdgeCrossing> crossings;
   std::vector<Chain> chains;  ///< along the crack
+  std::vector<TipPassage> tips;
 };
 
 /// Where an end of a crack lies, translated by (e, e^2).

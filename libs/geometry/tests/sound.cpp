@@ -54,10 +54,18 @@ bool inside(const Mesh& mesh, Index t, const Vec2& point) {
 std::string flaw_of_segments(const Mesh& mesh, const CutMesh& cut) {
   for (std::size_t k = 0; k < cut.segments.size(); ++k) {
     const FaceSegment& segment = cut.segments[k];
-    const CutElement& element = cut.elements.at(static_cast<std::size_t>(segment.cut));
-    if (element.crack != segment.crack) return "segment in another crack's element";
+    Index element = kNone;
+    if (segment.cut == kNone) {
+      const TipBall& ball = cut.tips.at(static_cast<std::size_t>(segment.tip));
+      if (ball.crack != segment.crack) return "segment in another crack's tip element";
+      element = ball.element;
+    } else {
+      element = cut.elements.at(static_cast<std::size_t>(segment.cut)).element;
+      if (cut.elements[static_cast<std::size_t>(segment.cut)].crack != segment.crack)
+        return "segment in another crack's element";
+    }
     if (segment.start == segment.end) return "segment of no length";
-    if (!inside(mesh, element.element, segment.start) || !inside(mesh, element.element, segment.end))
+    if (!inside(mesh, element, segment.start) || !inside(mesh, element, segment.end))
       return "segment outside of its element";
     if (segment.s_end < segment.s_start) return "arc length runs back";
     if (!segment.joins_previous) continue;
@@ -91,6 +99,30 @@ std::string flaw_of_cracks(const std::vector<Crack>& cracks, const CutMesh& cut)
   return next == static_cast<Index>(cut.segments.size()) ? std::string{} : "segments of no crack";
 }
 
+std::string flaw_of_balls(const Mesh& mesh, const CutMesh& cut) {
+  if (cut.tips.empty()) return cut.tip_of_element.empty() ? std::string{} : "balls of elements without tips";
+  for (std::size_t b = 0; b < cut.tips.size(); ++b) {
+    const TipBall& ball = cut.tips[b];
+    const auto t = static_cast<std::size_t>(ball.element);
+    if (cut.tip_of_element.at(t) != static_cast<Index>(b)) return "tip element is not in its ball";
+    if (cut.cut_of_element[t] != kNone) return "tip element is cut";
+    if (!inside(mesh, ball.element, ball.frame.tip())) return "tip outside of its element";
+    const CrackEnd& end =
+        cut.cracks.at(static_cast<std::size_t>(ball.crack)).ends.at(static_cast<std::size_t>(ball.end));
+    if (end.effective != ball.frame.tip() || end.nominal != end.effective) return "tip was moved";
+    double sum = 0.0;
+    for (const auto& side : ball.sub_triangles) {
+      for (const auto& [a, b2, c] : side) {
+        sum += 0.5 * cross(b2 - a, c - a);
+        if (!(cross(b2 - a, c - a) > 0.0)) return "sub-triangle of the tip element not counter-clockwise";
+      }
+    }
+    const double total = triangle_area(mesh, ball.element);
+    if (std::abs(sum - total) > 1e-9 * total) return "sub-triangles of the tip element do not fill it";
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string flaw(const Mesh& mesh, const std::vector<Crack>& cracks, const CutMesh& cut) {
@@ -104,6 +136,7 @@ std::string flaw(const Mesh& mesh, const std::vector<Crack>& cracks, const CutMe
   }
   if (auto text = flaw_of_nodes(mesh, cut); !text.empty()) return text;
   if (auto text = flaw_of_segments(mesh, cut); !text.empty()) return text;
+  if (auto text = flaw_of_balls(mesh, cut); !text.empty()) return text;
   if (!std::is_sorted(cut.tip_nodes.begin(), cut.tip_nodes.end())) return "tip nodes not ascending";
   return flaw_of_cracks(cracks, cut);
 }

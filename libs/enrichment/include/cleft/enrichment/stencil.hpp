@@ -5,19 +5,20 @@
 #include <array>
 #include <vector>
 
+#include "cleft/enrichment/short_list.hpp"
 #include "cleft/enrichment/unknowns.hpp"
 
 namespace cleft::enrichment {
 
-/// u = sum_k weight_k q_k over three vector unknowns q_k.
+/// u = sum_k weight_k q_k over three vector unknowns q_k, or seven in the ball of a tip.
 struct Stencil {
-  std::array<Index, 3> unknown{};
-  std::array<double, 3> weight{};
+  ShortList<Index> unknown;
+  ShortList<double> weight;
 
   /// The displacement, metres, from the components of all unknowns.
   Vec2 displacement(const VecX& components) const {
     Vec2 u = Vec2::Zero();
-    for (int k = 0; k < 3; ++k) u += weight[k] * components.segment<2>(2 * unknown[k]);
+    for (std::size_t k = 0; k < unknown.size(); ++k) u += weight[k] * components.segment<2>(2 * unknown[k]);
     return u;
   }
 };
@@ -41,13 +42,14 @@ struct Cell {
   }
 };
 
-/// All cells, in the order of the triangles. A side whose part of the triangle is negligible (kLeastSupport) is
-/// dropped.
+/// All cells, in the order of the triangles, without those in the ball of a tip (make_tip_points). A side whose part of
+/// the triangle is negligible (kLeastSupport) is dropped.
 std::vector<Cell> make_cells(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns);
 
-/// One side's trace along a face segment. Displacement is linear along it: `start` and `end` give it at its ends.
+/// One side's trace along a face segment. Displacement is linear along it: `start` and `end` give it at its ends. (In a
+/// ball it is only taken so; at the ends it is exact.)
 struct Face {
-  Stencil start, end;                   ///< over the same three unknowns
+  Stencil start, end;                   ///< over the same unknowns
   Vec2 reference_start, reference_end;  ///< metres, along the crack's direction
   double s_start = 0.0, s_end = 0.0;    ///< arc length along the crack, metres
   Index crack = kNone;

@@ -12,20 +12,27 @@
 
 #include <vector>
 
+#include "cleft/enrichment/branch.hpp"
 #include "cleft/geometry/cut.hpp"
 
 namespace cleft::enrichment {
 
 /// Unknowns are vectors of two components; unknown k has the numbers 2 k and 2 k + 1 in a vector of all components. The
-/// first `nodes` unknowns are the nodes' own displacements, in the order of the nodes; the ghosts follow.
+/// first `nodes` unknowns are the nodes' own displacements, in the order of the nodes; the ghosts follow, and then the
+/// amplitudes, four for each tip with a ball.
 struct Unknowns {
   Index nodes = 0;
-  Index count = 0;             ///< nodes and ghosts
+  Index count = 0;             ///< nodes, ghosts and amplitudes
+  Index first_amplitude = 0;   ///< nodes and ghosts
   std::vector<Index> ghost;    ///< per node: its ghost unknown, or kNone
-  std::vector<Index> node_of;  ///< per unknown: the node it belongs to
-  /// Per unknown: the side whose displacement it is, as the cut has it; none at a node around which nothing is cut.
+  std::vector<Index> node_of;  ///< per unknown: the node it belongs to; kNone for an amplitude
+  /// Per unknown: the side whose displacement it is, as the cut has it; none at a node around which nothing is cut, and
+  /// for an amplitude.
   std::vector<geometry::MaybeSide> side_of;
+  double plateau = kPlateau;  ///< part of a ball's radius within which its functions count in full
   Index enriched() const { return count - nodes; }
+  /// The amplitude of branch function `a` (0 to 3) at a tip, an index into CutMesh::tips; m^(1/2).
+  Index amplitude(Index tip, int a) const { return first_amplitude + kBranches * tip + a; }
   Index components() const { return 2 * count; }
 };
 

@@ -20,6 +20,8 @@ using MaybeSide = std::optional<Side>;
 struct Crack {
   std::string name;
   std::vector<Vec2> points;  ///< at least two, consecutive ones distinct; metres
+  /// Each tip gets branch functions within this distance, metres; 0: none, and the cut ends at an element edge.
+  double tip_radius = 0.0;
 };
 
 /// `periods` waves of a sine of `amplitude` (metres, to the left of start->end first), sampled so that no chord is

@@ -11,6 +11,7 @@
 
 #include "cleft/geometry/crack.hpp"
 #include "cleft/geometry/mesh.hpp"
+#include "cleft/geometry/tip.hpp"
 
 namespace cleft::geometry {
 
@@ -27,19 +28,20 @@ struct CutElement {
 /// The piece of a crack inside one triangle between two consecutive vertices (crossings with mesh edges and kinks),
 /// along the crack's direction. Consecutive segments of a chain share their vertex to the last bit.
 struct FaceSegment {
-  Index cut = kNone;  ///< index into CutMesh::elements
+  Index cut = kNone;  ///< index into CutMesh::elements; none in a tip's own triangle, which is not divided
   Index crack = kNone;
   Vec2 start, end;       ///< reference coordinates, metres
   double s_start = 0.0;  ///< arc length along the crack from its first point, metres
   double s_end = 0.0;
   bool joins_previous = false;  ///< the previous entry of CutMesh::segments ends where this one starts
+  Index tip = kNone;            ///< index into CutMesh::tips of the ball that it touches, or kNone
 };
 
 /// What became of one end of a crack.
 struct CrackEnd {
   enum class Kind { Tip, Mouth } kind = Kind::Tip;  ///< inside the body, or at (or beyond) its boundary
   Vec2 nominal;                                     ///< the polyline's end
-  Vec2 effective;  ///< where the cut really ends: on an element edge, or on the boundary
+  Vec2 effective;  ///< where the cut really ends: on an element edge, on the boundary, or at a tip with a ball
   double s = 0.0;  ///< arc length of `effective` (below 0 or above the nominal length where the tip was moved out)
 };
 
@@ -55,8 +57,10 @@ struct CutMesh {
   std::vector<Index> cut_of_element;  ///< per triangle: index into `elements`, or kNone
   std::vector<FaceSegment> segments;  ///< crack after crack, in each along its direction
   std::vector<CrackCut> cracks;
-  std::vector<Index> tip_nodes;  ///< nodes at which the jump must vanish (never enriched), ascending
-  int snapped = 0;               ///< crossings within `snap` edge lengths of a node, moved onto it
+  std::vector<Index> tip_nodes;       ///< nodes at which the jump must vanish (never enriched), ascending
+  std::vector<TipBall> tips;          ///< of the cracks with a tip radius, crack after crack
+  std::vector<Index> tip_of_element;  ///< per triangle: index into `tips` of the ball it meets, or kNone; empty if none
+  int snapped = 0;                    ///< crossings within `snap` edge lengths of a node, moved onto it
 };
 
 /// Crossings nearer to a node than this fraction of the edge are moved onto the node.
@@ -65,6 +69,12 @@ inline constexpr double kSnap = 1e-6;
 /// Cuts `mesh` by `cracks`. Throws InputError (key = name of the crack) when a crack lies outside the body, is too
 /// short to open any element, crosses itself or another crack, shares an element with another crack, or winds so
 /// tightly that a node would lie on both of its sides.
+///
+/// Where a crack has a tip radius, its tips stay where they are, also inside a triangle: this triangle is not in
+/// `elements`, the nodes of the edge by which the crack enters it are the tip nodes, and the segments near the tip are
+/// graded. Throws InputError, too, where such a ball holds another crack or the other end of its own, overlaps or
+/// shares a triangle with another ball, or where the crack within it does not lead away from the tip (within 84 degrees
+/// of the radius at every point, and 90 degrees of its direction at the tip).
 CutMesh cut(const Mesh& mesh, const std::vector<Crack>& cracks);
 
 }  // namespace cleft::geometry

@@ -1,0 +1,34 @@
+/// \file
+/// The functions that span the singular field at a crack tip, and how they fade out.
+#pragma once
+
+#include <array>
+
+#include "cleft/geometry/tip.hpp"
+
+namespace cleft::enrichment {
+
+inline constexpr int kBranches = 4;
+
+/// The part of a ball's radius within which the functions count in full.
+inline constexpr double kPlateau = 0.65;
+
+/// The four functions at one point. Only the second jumps over the crack, by 2 sqrt(r).
+struct Branches {
+  std::array<double, kBranches> value{};   ///< m^(1/2)
+  std::array<Vec2, kBranches> gradient{};  ///< m^(-1/2)
+};
+
+/// sqrt(r) {cos(t/2), sin(t/2), sin(t/2) sin t, cos(t/2) sin t} at the angle t (Belytschko and Black 1999): linear
+/// combinations are the displacement of an elastic body at a crack tip. Gradients are zero at the tip itself.
+Branches branches(const geometry::TipPolar& at);
+
+/// chi(r): 1 up to `plateau`, 0 from `radius` on (metres), between them a polynomial of degree 5 with two continuous
+/// derivatives.
+struct Cutoff {
+  double value = 0.0;
+  double slope = 0.0;  ///< 1/m
+};
+Cutoff cutoff(double r, double plateau, double radius);
+
+}  // namespace cleft::enrichment

@@ -1,0 +1,116 @@
+#include "tip_quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft::enrichment {
+
+namespace {
+
+using Points = std::vector<QuadraturePoint>;
+
+// A triangle may be this much larger than its distance from the tip.
+constexpr double kLargest = 1.0;
+// A tip within this part of a triangle's size from an edge or corner is on it.
+constexpr double kOnEdge = 1e-10;
+// Bisections after which a triangle is negligible, whatever the tip's distance.
+constexpr int kDeepest = 32;
+
+double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+
+double size_of(const Corners& t) {
+  return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+}
+
+double distance(const Vec2& a, const Vec2& b, const Vec2& point) {
+  const Vec2 along = b - a;
+  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - a - fraction * along).norm();
+}
+
+std::array<Corners, 4> quarters(const Corners& t) {
+  const Vec2 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
+  return {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{ab, bc, ca}};
+}
+
+// The longest edge is halved, which turns needles into well-shaped triangles on the way.
+std::array<Corners, 2> halves(const Corners& t) {
+  int k = 0;
+  for (const int other : {1, 2})
+    if ((t[(other + 1) % 3] - t[other]).norm() > (t[(k + 1) % 3] - t[k]).norm()) k = other;
+  const Vec2 &a = t[k], &b = t[(k + 1) % 3], &c = t[(k + 2) % 3];
+  const Vec2 middle = 0.5 * (a + b);
+  return {Corners{a, middle, c}, Corners{middle, b, c}};
+}
+
+// Radon's seven points, exact to degree 5.
+void place_smooth(const Corners& t, Points& points) {
+  const double area = 0.5 * twice_area(t), root = std::sqrt(15.0);
+  points.push_back({(t[0] + t[1] + t[2]) / 3.0, 9.0 / 40.0 * area});
+  for (const double sign : {-1.0, 1.0}) {
+    const double a = (6.0 + sign * root) / 21.0, w = (155.0 + sign * root) / 1200.0 * area;
+    for (int k = 0; k < 3; ++k) points.push_back({a * (t[0] + t[1] + t[2]) + (1.0 - 3.0 * a) * t[k], w});
+  }
+}
+
+struct GaussPoint {
+  double place, weight;  // on (0, 1)
+};
+constexpr std::array<GaussPoint, 5> kGauss{{{0.046910077030668, 0.1184634425280945},
+                                            {0.2307653449471585, 0.2393143352496832},
+                                            {0.5, 0.2844444444444444},
+                                            {0.7692346550528415, 0.2393143352496832},
+                                            {0.953089922969332, 0.1184634425280945}}};
+
+// The tip is corner 0: x = tip + r [(1 - s) (a - tip) + s (b - tip)], dA = 2 Area r dr ds. With r = p^2 the integrand,
+// r^(-1), r^(-1/2), 1 ... times r, is a polynomial of p. In s it is smooth where a-b is seen under no large angle.
+void place_polar(const Corners& t, int depth, Points& points) {
+  const Vec2 &tip = t[0], &a = t[1], &b = t[2];
+  if ((b - a).norm() > kLargest * distance(a, b, tip) && depth < kDeepest) {
+    const Vec2 middle = 0.5 * (a + b);
+    place_polar({tip, a, middle}, depth + 1, points);
+    place_polar({tip, middle, b}, depth + 1, points);
+    return;
+  }
+  const double twice = twice_area(t);
+  for (const auto& [p, wp] : kGauss) {
+    for (const auto& [s, ws] : kGauss) {
+      const double r = p * p;
+      points.push_back({tip + r * ((1.0 - s) * (a - tip) + s * (b - tip)), twice * r * 2.0 * p * wp * ws});
+    }
+  }
+}
+
+void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
+  const double size = size_of(t), negligible = kOnEdge * size * size;
+  std::array<Corners, 3> fan;
+  bool inside = true;
+  for (int k = 0; k < 3; ++k) {
+    fan[k] = {tip, t[k], t[(k + 1) % 3]};
+    inside = inside && twice_area(fan[k]) > -negligible;
+  }
+  if (inside) {
+    for (const Corners& part : fan) {
+      if (twice_area(part) > negligible) place_polar(part, 0, points);
+    }
+    return;
+  }
+  const double away = std::min({distance(t[0], t[1], tip), distance(t[1], t[2], tip), distance(t[2], t[0], tip)});
+  if (size <= kLargest * away || depth == kDeepest) {
+    place_smooth(t, points);
+  } else {
+    for (const Corners& part : halves(t)) place(part, tip, depth + 1, points);
+  }
+}
+
+}  // namespace
+
+void place_points(const Corners& triangle, const Vec2& tip, int refinement, std::vector<QuadraturePoint>& points) {
+  if (refinement == 0) {
+    place(triangle, tip, 0, points);
+  } else {
+    for (const Corners& part : quarters(triangle)) place_points(part, tip, refinement - 1, points);
+  }
+}
+
+}  // namespace cleft::enrichment

@@ -1,0 +1,16 @@
+// Distances in the plane, metres.
+#pragma once
+
+#include <algorithm>
+
+#include "cleft/support/types.hpp"
+
+namespace cleft::geometry {
+
+inline double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& point) {
+  const Vec2 along = b - a;
+  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - a - fraction * along).norm();
+}
+
+}  // namespace cleft::geometry
