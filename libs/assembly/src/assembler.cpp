@@ -51,6 +51,10 @@ void Assembler::build_pattern() {
       for (const Index j : columns) blocks.push_back({i, j});
   };
   for (const auto& cell : model_.cells) couple(cell.unknown, cell.unknown);
+  for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
+    const auto& unknown = model_.tip_points[p].unknown;
+    if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
+  }
   std::vector<Index> together;
   for (std::size_t f = 0; f < room_.size(); ++f) {
     if (room_[f].empty()) continue;
@@ -64,14 +68,18 @@ void Assembler::build_pattern() {
     couple(together, together);
   }
   matrix_ = BlockMatrix(model_.unknowns.count, blocks);
-  places_.resize(model_.cells.size());
-  for (std::size_t c = 0; c < model_.cells.size(); ++c)
-    for (int l = 0; l < 3; ++l)
-      for (int k = 0; k < 3; ++k) {
-        const auto place = matrix_.find(model_.cells[c].unknown[k], model_.cells[c].unknown[l]);
-        places_[c].start[k][l] = place.start;
-        places_[c].stride[l] = place.stride;
-      }
+  const auto place = [this](const auto& points, auto& places) {
+    places.resize(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (std::size_t l = 0; l < points[p].unknown.size(); ++l)
+        for (std::size_t k = 0; k < points[p].unknown.size(); ++k) {
+          const auto at = matrix_.find(points[p].unknown[k], points[p].unknown[l]);
+          places[p].start[k][l] = at.start;
+          places[p].stride[l] = at.stride;
+        }
+  };
+  place(model_.cells, places_);
+  place(model_.tip_points, tip_places_);
   ++version_;
 }
 
@@ -127,31 +135,43 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   return std::nullopt;
 }
 
+// False where the point is turned inside out.
+template <class Law, class Point, std::size_t unknowns>
+bool Assembler::add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
+                          const Point& point, double weight, const Places<unknowns>& places) {
+  const Mat2 F = point.deformation(displacement);
+  if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return false;
+  const constitutive::Response r = [&] {
+    if constexpr (constitutive::PathDependent<Law>)
+      return law.respond(F, history.plastic[number], plastic_[number]);
+    else
+      return law.respond(F);
+  }();
+  const auto& g = point.gradient;
+  for (std::size_t l = 0; l < unknowns; ++l) {
+    force_.segment<2>(2 * point.unknown[l]).noalias() += weight * (r.piola * g[l]);
+    if (matrix_is_final_) continue;
+    // D g_l: columns k of dP/dF contracted with the gradient of the column's unknown
+    const Eigen::Matrix<double, 4, 2> d =
+        weight * (g[l](0) * r.tangent.leftCols<2>() + g[l](1) * r.tangent.rightCols<2>());
+    for (std::size_t k = 0; k < unknowns; ++k)
+      matrix_.add({places.start[k][l], places.stride[l]}, g[k](0) * d.topRows<2>() + g[k](1) * d.bottomRows<2>());
+  }
+  return true;
+}
+
+// The material point that is turned inside out, or kNone.
 template <class Law>
 Index Assembler::bulk_loop(const Law& law, const VecX& displacement, const History& history) {
-  constexpr bool kRemembers = constitutive::PathDependent<Law>;
-  if constexpr (kRemembers) plastic_.resize(model_.cells.size());
-  for (std::size_t c = 0; c < model_.cells.size(); ++c) {
-    const auto& cell = model_.cells[c];
-    const Mat2 F = cell.deformation(displacement);
-    if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return static_cast<Index>(c);
-    const constitutive::Response r = [&] {
-      if constexpr (kRemembers)
-        return law.respond(F, history.plastic[c], plastic_[c]);
-      else
-        return law.respond(F);
-    }();
-    const auto& g = cell.gradient;
-    const auto& at = places_[c];
-    for (int l = 0; l < 3; ++l) {
-      force_.segment<2>(2 * cell.unknown[l]).noalias() += cell.area * (r.piola * g[l]);
-      if (matrix_is_final_) continue;
-      // D g_l: columns k of dP/dF contracted with the gradient of the column's node
-      const Eigen::Matrix<double, 4, 2> d =
-          cell.area * (g[l](0) * r.tangent.leftCols<2>() + g[l](1) * r.tangent.rightCols<2>());
-      for (int k = 0; k < 3; ++k)
-        matrix_.add({at.start[k][l], at.stride[l]}, g[k](0) * d.topRows<2>() + g[k](1) * d.bottomRows<2>());
-    }
+  if constexpr (constitutive::PathDependent<Law>) plastic_.resize(model_.material_points());
+  const std::size_t cells = model_.cells.size();
+  for (std::size_t c = 0; c < cells; ++c)
+    if (!add_point(law, displacement, history, c, model_.cells[c], model_.cells[c].area, places_[c]))
+      return static_cast<Index>(c);
+  for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
+    const auto& point = model_.tip_points[p];
+    if (!add_point(law, displacement, history, cells + p, point, point.weight, tip_places_[p]))
+      return static_cast<Index>(cells + p);
   }
   return kNone;
 }
@@ -160,13 +180,10 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
   const PhaseTimer timer(seconds_.bulk);
   const Index bad = std::visit([&](const auto& law) { return bulk_loop(law, displacement, history); }, model_.material);
   if (bad == kNone) return std::nullopt;
-  const auto& cell = model_.cells[bad];
-  const auto& corner = model_.mesh.triangles[cell.element];
-  const Vec2 centre =
-      (model_.mesh.nodes[corner[0]] + model_.mesh.nodes[corner[1]] + model_.mesh.nodes[corner[2]]) / 3.0;
-  const char* side = cell.cut == kNone ? "" : cell.side == geometry::Side::Left ? ", left side" : ", right side";
+  const MaterialPoint at = material_point(model_, bad);
+  const char* side = !at.side ? "" : *at.side == geometry::Side::Left ? ", left side" : ", right side";
   return Failure{FailureKind::Inverted,
-                 fmt::format("element {} at ({:.6g}, {:.6g}){}", cell.element, centre.x(), centre.y(), side),
+                 fmt::format("element {} at ({:.6g}, {:.6g}){}", at.element, at.reference.x(), at.reference.y(), side),
                  model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
                                       : "smaller increments (loading.steps), or a finer mesh there"};
 }
@@ -179,7 +196,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     double start, end;  // weights of the two inputs at `input`, `input + 2`
     int input;
   };
-  std::array<Column, 12> columns;
+  std::array<Column, 4 * enrichment::ShortList<Index>::kCapacity> columns;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
     if (!contact::presses(pair)) continue;
@@ -191,7 +208,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
                              contact::pair_constants(model_.surfaces, face_positions(), index, pair), pair.state);
     int count = 0;
     const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
-      for (int k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {
         const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
         if (s == 0.0 && e == 0.0) continue;
         columns[count++] = two_points ? Column{faces[f].start.unknown[k], s, e, input}

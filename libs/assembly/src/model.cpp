@@ -23,6 +23,18 @@ bool is_symmetric(const Material& material) {
       material);
 }
 
+MaterialPoint material_point(const Model& model, Index number) {
+  const auto cells = static_cast<Index>(model.cells.size());
+  if (number >= cells) {
+    const auto& point = model.tip_points[number - cells];
+    return {point.element, point.side, point.reference};
+  }
+  const auto& cell = model.cells[number];
+  Vec2 centre = Vec2::Zero();
+  for (const Index node : model.mesh.triangles[cell.element]) centre += model.mesh.nodes[node] / 3.0;
+  return {cell.element, cell.side_if_cut(), centre};
+}
+
 Vec2 prescribed_value(const Model& model, const Prescribed& prescribed, Index unknown, double load) {
   const Vec2& reference = model.mesh.nodes[model.unknowns.node_of[unknown]];
   return prescribed.displacement(reference, model.unknowns.side_of[unknown], load);

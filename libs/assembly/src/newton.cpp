@@ -46,17 +46,19 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
   const double most = du.cwiseAbs().maxCoeff(&worst);
   if (most <= bound) return {};
   const Index node = model.unknowns.node_of[worst / 2];
+  if (node == kNone) return fmt::format("a branch function would move by {:.1e}", most);
   return fmt::format("node {} at ({:.6g}, {:.6g}) would move by {:.1e} m", node, model.mesh.nodes[node].x(),
                      model.mesh.nodes[node].y(), most);
 }
 
 double largest_gradient(const Model& model, const VecX& du) {
   double largest = 0.0;
-  for (const auto& cell : model.cells) {
+  for_each_material_point(model, [&](std::size_t, const auto& point, double) {
     Mat2 g = Mat2::Zero();  // not as F - I, which would round at 1
-    for (int k = 0; k < 3; ++k) g += du.segment<2>(2 * cell.unknown[k]) * cell.gradient[k].transpose();
+    for (std::size_t k = 0; k < point.unknown.size(); ++k)
+      g += du.segment<2>(2 * point.unknown[k]) * point.gradient[k].transpose();
     largest = std::max(largest, g.squaredNorm());
-  }
+  });
   return std::sqrt(largest);
 }
 
@@ -136,12 +138,13 @@ RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
   const double reach = displacement.cwiseAbs().maxCoeff();
   const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
   double bulk = 0.0, contact = 0.0;
-  for (const auto& cell : model.cells)
-    for (const auto& g : cell.gradient) {
+  for_each_material_point(model, [&](std::size_t, const auto& point, double weight) {
+    for (const auto& g : point.gradient) {
       const double steep = g.norm();
-      const double force = modulus * cell.area * steep * (kOperations + reach * steep);
+      const double force = modulus * weight * steep * (kOperations + reach * steep);
       bulk += force * force;
     }
+  });
   for (const auto& point : model.surfaces.points) {
     const auto& face = model.surfaces.faces[point.face];
     const auto& law = model.surfaces.laws[face.crack];

@@ -7,7 +7,7 @@ State state_at_rest(const Model& model) {
   state.displacement = VecX::Zero(model.unknowns.components());
   state.previous_displacement = state.displacement;
   state.history.contact = contact::memory_at_rest(model.surfaces);
-  if (has_memory(model.material)) state.history.plastic.resize(model.cells.size());
+  if (has_memory(model.material)) state.history.plastic.resize(model.material_points());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
   return state;
 }
@@ -17,14 +17,13 @@ double elastic_energy(const Model& model, const VecX& displacement,
   return std::visit(
       [&]<class Law>(const Law& law) {
         double sum = 0.0;
-        for (std::size_t c = 0; c < model.cells.size(); ++c) {
-          const auto& cell = model.cells[c];
-          const Mat2 F = cell.deformation(displacement);
+        for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
+          const Mat2 F = point.deformation(displacement);
           if constexpr (constitutive::PathDependent<Law>)
-            sum += cell.area * law.energy(F, plastic[c]);
+            sum += weight * law.energy(F, plastic[p]);
           else
-            sum += cell.area * law.energy(F);
-        }
+            sum += weight * law.energy(F);
+        });
         return sum;
       },
       model.material);
@@ -35,10 +34,9 @@ double plastic_dissipation(const Model& model, const VecX& displacement, const H
       [&]<class Law>(const Law& law) {
         double sum = 0.0;
         if constexpr (constitutive::PathDependent<Law>)
-          for (std::size_t c = 0; c < model.cells.size(); ++c) {
-            const auto& cell = model.cells[c];
-            sum += cell.area * law.dissipation(cell.deformation(displacement), before.plastic[c]);
-          }
+          for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
+            sum += weight * law.dissipation(point.deformation(displacement), before.plastic[p]);
+          });
         return sum;
       },
       model.material);

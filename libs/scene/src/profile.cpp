@@ -103,13 +103,14 @@ VtuGrid bulk_grid(const assembly::Model& m, const assembly::State& state) {
 PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State& state) {
   PlasticExtremes out;
   const auto& plastic = state.history.plastic;
-  for (std::size_t c = 0; c < plastic.size(); ++c) {
-    if (plastic[c].accumulated == 0.0) continue;
-    out.largest_strain = std::fmax(out.largest_strain, plastic[c].accumulated);
-    const Mat2 F = m.cells[c].deformation(state.displacement);
+  if (plastic.empty()) return out;
+  assembly::for_each_material_point(m, [&](std::size_t p, const auto& point, double) {
+    if (plastic[p].accumulated == 0.0) return;
+    out.largest_strain = std::fmax(out.largest_strain, plastic[p].accumulated);
+    const Mat2 F = point.deformation(state.displacement);
     out.least_localisation =
-        std::fmin(out.least_localisation, assembly::localisation_of(m.material, F, plastic[c]).value);
-  }
+        std::fmin(out.least_localisation, assembly::localisation_of(m.material, F, plastic[p]).value);
+  });
   return out;
 }
 

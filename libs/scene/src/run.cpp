@@ -239,7 +239,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.yardstick = solver.factorise + solver.solve;
   const auto& assembly = stepper.assembler().seconds();
   const auto evaluations = static_cast<double>(std::max(1L, assembly.assemblies));
-  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.cells.size()));
+  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.material_points()));
   if (model.has_contact())
     result.contact_microseconds =
         1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));

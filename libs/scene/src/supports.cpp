@@ -25,8 +25,9 @@ class Parts {
 
 Parts parts_of(const assembly::Model& m) {
   Parts parts(m.unknowns.count);
-  for (const auto& cell : m.cells)
-    for (const Index unknown : cell.unknown) parts.join(unknown, cell.unknown[0]);
+  assembly::for_each_material_point(m, [&](std::size_t, const auto& point, double) {
+    for (const Index unknown : point.unknown) parts.join(unknown, point.unknown[0]);
+  });
   for (std::size_t f = 0; f + 1 < m.surfaces.faces.size(); f += 2)  // the two faces of a segment
     parts.join(m.surfaces.faces[f].start.unknown[0], m.surfaces.faces[f + 1].start.unknown[0]);
   return parts;
@@ -69,7 +70,7 @@ std::optional<std::string> free_motion(const assembly::Model& m) {
   std::map<Index, Hold> holds;
   for (Index k = 0; k < m.unknowns.count; ++k) {
     Hold& hold = holds[parts.of(k)];
-    if (hold.example == kNone) hold.example = k;
+    if (hold.example == kNone) hold.example = k;  // nodes come first
   }
   for (const auto& constraint : assembly::constraints_of(m)) {
     const Index unknown = constraint.component / 2;

@@ -11,11 +11,12 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 Lengths lengths_of(const assembly::Model& model, const VecX& u) {
   Lengths out;
   out.influence.assign(model.unknowns.count, std::numeric_limits<double>::infinity());
-  for (const auto& cell : model.cells)
-    for (int k = 0; k < 3; ++k) {
-      double& length = out.influence[cell.unknown[k]];
-      length = std::min(length, 1.0 / cell.gradient[k].norm());
+  assembly::for_each_material_point(model, [&](std::size_t, const auto& point, double) {
+    for (std::size_t k = 0; k < point.unknown.size(); ++k) {
+      double& length = out.influence[point.unknown[k]];
+      length = std::min(length, 1.0 / point.gradient[k].norm());
     }
+  });
   for (double& length : out.influence)
     if (!std::isfinite(length)) length = 1.0;  // of a node that no cell uses: nothing depends on it
   for (const auto& node : model.mesh.nodes) out.reach = std::max(out.reach, node.norm());

@@ -12,6 +12,12 @@ const char* name_of(geometry::Side side) { return side == geometry::Side::Left ?
 std::string describe_component(const assembly::Model& model, Index component) {
   if (component == kNone) return "a displacement on which the force should not depend";
   const Index unknown = component / 2, node = model.unknowns.node_of[unknown];
+  if (node == kNone) {
+    const Index k = unknown - model.unknowns.first_amplitude, tip = k / enrichment::kBranches;
+    const Vec2& at = model.cut.tips[tip].frame.tip();
+    return fmt::format("{} of branch function {} of the tip ({:.6g}, {:.6g})", component % 2 == 0 ? "x" : "y",
+                       k % enrichment::kBranches + 1, at.x(), at.y());
+  }
   const Vec2& X = model.mesh.nodes[node];
   std::string out =
       fmt::format("{} of node {} at ({:.6g}, {:.6g})", component % 2 == 0 ? "x" : "y", node, X.x(), X.y());
@@ -30,12 +36,9 @@ std::string describe_piece(const assembly::Model& model, Index cell, Index point
                        name_of(face.side), (1.0 - at.eta) * face.s_start + at.eta * face.s_end, X.x(), X.y());
   }
   if (cell == kNone) return "the assembled matrix";
-  const auto& c = model.cells[cell];
-  Vec2 centre = Vec2::Zero();
-  for (const Index node : model.mesh.triangles[c.element]) centre += model.mesh.nodes[node] / 3.0;
-  const auto side = c.side_if_cut();
-  return fmt::format("element {} at ({:.6g}, {:.6g}){}", c.element, centre.x(), centre.y(),
-                     side ? fmt::format(", {} side", name_of(*side)) : "");
+  const auto at = assembly::material_point(model, cell);
+  return fmt::format("element {} at ({:.6g}, {:.6g}){}", at.element, at.reference.x(), at.reference.y(),
+                     at.side ? fmt::format(", {} side", name_of(*at.side)) : "");
 }
 
 }  // namespace cleft::verify

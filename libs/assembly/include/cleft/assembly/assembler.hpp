@@ -35,7 +35,7 @@ class Assembler {
   BlockMatrix& matrix() { return matrix_; }
   const BlockMatrix& matrix() const { return matrix_; }
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
-  /// What the cells would remember of this state; empty if the material has no memory.
+  /// What the material points would remember of this state; empty if the material has no memory.
   const std::vector<constitutive::PlasticState>& plastic() const { return plastic_; }
   const contact::FacePositions& face_positions() const { return search_.positions(); }
 
@@ -49,9 +49,10 @@ class Assembler {
   const AssemblySeconds& seconds() const { return seconds_; }
 
  private:
-  struct CellPlaces {
-    std::array<std::array<Index, 3>, 3> start;  // [row][column]
-    std::array<Index, 3> stride;                // of column
+  template <std::size_t unknowns>
+  struct Places {
+    std::array<std::array<Index, unknowns>, unknowns> start;  // [row][column]
+    std::array<Index, unknowns> stride;                       // of column
   };
 
   void build_pattern();
@@ -59,6 +60,9 @@ class Assembler {
   bool has_room(const std::vector<contact::Memory>& memory) const;
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void assemble_contact(const std::vector<contact::Memory>& memory);
+  template <class Law, class Point, std::size_t unknowns>
+  bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
+                 const Point& point, double weight, const Places<unknowns>& places);
   template <class Law>
   Index bulk_loop(const Law& law, const VecX& displacement, const History& history);
 
@@ -69,7 +73,8 @@ class Assembler {
   bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
   VecX force_, contact_force_;
   BlockMatrix matrix_;
-  std::vector<CellPlaces> places_;
+  std::vector<Places<3>> places_;      // of the cells
+  std::vector<Places<7>> tip_places_;  // of the tips' points
   ContactRoom room_;
   long version_ = 0;
   AssemblySeconds seconds_;

@@ -12,7 +12,7 @@
 #include "cleft/constitutive/kinematics.hpp"
 #include "cleft/constitutive/neo_hookean.hpp"
 #include "cleft/contact/surfaces.hpp"
-#include "cleft/enrichment/stencil.hpp"
+#include "cleft/enrichment/tip_points.hpp"
 
 namespace cleft::assembly {
 
@@ -46,11 +46,14 @@ struct Model {
   geometry::CutMesh cut;
   enrichment::Unknowns unknowns;
   std::vector<enrichment::Cell> cells;
-  contact::Surfaces surfaces;  ///< no faces where the scene has no crack
+  std::vector<enrichment::TipPoint> tip_points;  ///< of the triangles in the balls of tips, which have no cells
+  contact::Surfaces surfaces;                    ///< no faces where the scene has no crack
   Material material;
   std::vector<Prescribed> prescribed;
   std::vector<DeadLoad> dead_loads;
 
+  /// Points at which the material is evaluated: the cells, then the points of tips.
+  std::size_t material_points() const { return cells.size() + tip_points.size(); }
   bool has_contact() const { return !surfaces.points.empty(); }
   /// Forces are linear in the displacements: one factorisation serves all loads.
   bool is_linear() const { return !has_contact() && is_small_strain(material) && !has_memory(material); }
@@ -58,6 +61,24 @@ struct Model {
     return std::visit([](const auto& m) -> const constitutive::Lame& { return m.constants; }, material);
   }
 };
+
+/// Calls visit(number, point, weight) for every material point: a Cell with its area, or a TipPoint with its weight
+/// (m^2).
+template <class Visit>
+void for_each_material_point(const Model& model, const Visit& visit) {
+  std::size_t number = 0;
+  for (const auto& cell : model.cells) visit(number++, cell, cell.area);
+  for (const auto& point : model.tip_points) visit(number++, point, point.weight);
+}
+
+/// Where a material point is: its triangle, the side of it where that is divided, and its place (of a cell the
+/// triangle's centre; metres).
+struct MaterialPoint {
+  Index element = kNone;
+  geometry::MaybeSide side;
+  Vec2 reference;
+};
+MaterialPoint material_point(const Model& model, Index number);
 
 /// One prescribed component of the solution, and where its value comes from.
 struct Constraint {

@@ -21,7 +21,7 @@ struct Energies {
 struct History {
   std::vector<contact::Memory> contact;               ///< per contact point
   double deepest = 0.0;                               ///< largest penetration so far, metres
-  std::vector<constitutive::PlasticState> plastic{};  ///< per cell; empty if the material has no memory
+  std::vector<constitutive::PlasticState> plastic{};  ///< per material point; empty if the material has no memory
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
@@ -38,7 +38,7 @@ struct State {
 /// The body at rest: undeformed, crack faces closed and free of stress.
 State state_at_rest(const Model& model);
 
-/// Elastic energy of the bulk, J/m, at given displacements and what the cells then remember. Needs det F > 0
+/// Elastic energy of the bulk, J/m, at given displacements and what the material points then remember. Needs det F > 0
 /// everywhere.
 double elastic_energy(const Model& model, const VecX& displacement,
                       const std::vector<constitutive::PlasticState>& plastic);
