@@ -21,6 +21,7 @@ std::string switched_on(const assembly::Model& model) {
   if (model.has_contact())
     out = small ? "cutting, enrichment, friction between opposite points"
                 : "cutting, enrichment, contact search, friction";
+  if (!model.tip_points.empty()) out += ", branch functions";
   if (assembly::has_memory(model.material)) out += ", plastic history";
   return out;
 }
@@ -33,7 +34,11 @@ int check(const Options& options) {
   print("elements", fmt::format("{} ({} cut)", model.mesh.triangles.size(), model.cut.elements.size()));
   print("nodes", fmt::format("{}", model.mesh.nodes.size()));
   print("unknowns, standard", fmt::format("{}, {} of them prescribed", 2 * model.unknowns.nodes, constraints.size()));
-  print("unknowns, enriched", fmt::format("{}", 2 * model.unknowns.enriched()));
+  const auto& numbers = model.unknowns;
+  print("unknowns, enriched", fmt::format("{}", 2 * (numbers.first_amplitude - numbers.nodes)));
+  if (numbers.count > numbers.first_amplitude)
+    print("unknowns of tips", fmt::format("{}, {} quadrature points", 2 * (numbers.count - numbers.first_amplitude),
+                                          model.tip_points.size()));
   print("contact points", fmt::format("{}", model.surfaces.points.size()));
   for (std::size_t k = 0; k < model.cracks.size(); ++k) {
     const auto& cut = model.cut.cracks[k];

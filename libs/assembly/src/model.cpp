@@ -23,6 +23,12 @@ bool is_symmetric(const Material& material) {
       material);
 }
 
+Mat2 deformation(const Model& model, Index number, const VecX& displacement) {
+  const auto cells = static_cast<Index>(model.cells.size());
+  return number < cells ? model.cells[number].deformation(displacement)
+                        : model.tip_points[number - cells].deformation(displacement);
+}
+
 MaterialPoint material_point(const Model& model, Index number) {
   const auto cells = static_cast<Index>(model.cells.size());
   if (number >= cells) {

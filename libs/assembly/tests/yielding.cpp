@@ -143,7 +143,9 @@ TEST(Linear, OneFactorisationServesAllLoads) {
   EXPECT_EQ(stepper.solver().seconds().factorisations, 1);
   EXPECT_EQ(stepper.solver().seconds().unsymmetric_fallbacks, 0);
 
-  LoadStepper at_once(model, {.steps = 1});
+  StepControls one;
+  one.steps = 1;
+  LoadStepper at_once(model, one);
   ASSERT_TRUE(std::holds_alternative<Step>(at_once.advance()));
   EXPECT_LT((stepper.state().displacement - at_once.state().displacement).norm(), 1e-12);
 }

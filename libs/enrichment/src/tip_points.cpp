@@ -5,15 +5,8 @@
 
 namespace cleft::enrichment {
 
-namespace {
-
 using geometry::MaybeSide;
 using geometry::Side;
-
-struct Piece {
-  MaybeSide side;
-  std::vector<Corners> triangles;
-};
 
 std::vector<Piece> pieces_of(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element) {
   const auto& ball = cut.tips[cut.tip_of_element[element]];
@@ -32,8 +25,6 @@ std::vector<Piece> pieces_of(const geometry::Mesh& mesh, const geometry::CutMesh
   const auto& [a, b, c] = mesh.triangles[element];
   return {{{}, {{mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]}}}};
 }
-
-}  // namespace
 
 std::vector<TipPoint> make_tip_points(const geometry::Mesh& mesh, const geometry::CutMesh& cut,
                                       const Unknowns& unknowns, int refinement) {

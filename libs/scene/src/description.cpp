@@ -28,6 +28,7 @@ Json crack(const CrackSpec& c) {
                   {"periods", c.sine->periods}};
   else
     for (const Vec2& p : c.points) j["points"].push_back(point(p));
+  if (c.intensities) j["intensities"] = true;
   j["contact"] = {{"method", "penalty"}};
   if (c.normal_penalty) j["contact"]["normal_penalty"] = *c.normal_penalty;
   if (c.tangential_penalty) j["contact"]["tangential_penalty"] = *c.tangential_penalty;
@@ -69,7 +70,8 @@ Json physics(const Scene& s) {
                {"cells", s.mesh.cells},
                {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
   j["material"] = material(s.material);
-  j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"}, {"tip_enrichment", 0.0}};
+  j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"},
+                      {"tip_enrichment", s.tip_enrichment}};
   j["crack"] = Json::array();
   for (const auto& c : s.cracks) j["crack"].push_back(crack(c));
   for (const auto& b : s.boundaries) j["boundary"].push_back(boundary(b));

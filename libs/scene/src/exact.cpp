@@ -62,16 +62,14 @@ ErrorNorms error_norms(const assembly::Model& m, const Field& exact, double fact
     const Mat2 e = 0.5 * (g + g.transpose());
     return c.lambda * e.trace() * e.trace() + 2.0 * c.mu * e.squaredNorm();
   };
-  for_each_point(m, [&](const enrichment::Cell& cell, const Vec2& x, double weight) {
-    const auto value = geometry::shape_values(m.mesh, cell.element, x);
-    Vec2 u = Vec2::Zero();
-    for (int k = 0; k < 3; ++k) u += value[k] * displacement.segment<2>(2 * cell.unknown[k]);
-    const Vec2 v = factor * exact(x, cell.side_if_cut());
-    const Mat2 g = factor * field_gradient(exact, x, cell.side_if_cut(), step_of(m));
-    out.l2 += weight * (u - v).squaredNorm();
-    out.l2_exact += weight * v.squaredNorm();
-    out.energy += weight * energy(cell.deformation(displacement) - Mat2::Identity() - g);
-    out.energy_exact += weight * energy(g);
+  for_each_point(m, [&](const BulkPoint& at) {
+    const Vec2 u = at.stencil.displacement(displacement), v = factor * exact(at.reference, at.side);
+    const Mat2 g = factor * field_gradient(exact, at.reference, at.side, step_of(m));
+    const Mat2 F = assembly::deformation(m, at.material_point, displacement);
+    out.l2 += at.weight * (u - v).squaredNorm();
+    out.l2_exact += at.weight * v.squaredNorm();
+    out.energy += at.weight * energy(F - Mat2::Identity() - g);
+    out.energy_exact += at.weight * energy(g);
   });
   for (double* value : {&out.l2, &out.energy, &out.l2_exact, &out.energy_exact}) *value = std::sqrt(*value);
   return out;

@@ -42,6 +42,7 @@ constexpr std::array kKeys = {
     Key{"crack", "periods", "number", "of the sine"},
     Key{"crack", "negative_side", "text", "side whose face carries the contact quadrature: left | right | both"},
     Key{"crack", "friction", "number", "Coulomb's coefficient"},
+    Key{"crack", "intensities", "true or false", "stress intensity factors of its tips, in history.csv"},
     Key{"crack", "contact", "table", "method and penalties"},
     Key{"crack.contact", "method", "text", "penalty"},
     Key{"crack.contact", "normal_penalty", "number", "Pa/m; default E/h"},

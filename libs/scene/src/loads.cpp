@@ -74,12 +74,18 @@ VecX traction_force(const assembly::Model& m, const std::string& boundary, const
   return force;
 }
 
-void for_each_point(const assembly::Model& m,
-                    const std::function<void(const enrichment::Cell&, const Vec2&, double)>& visit) {
-  for (const auto& cell : m.cells) {
+void for_each_point(const assembly::Model& m, const std::function<void(const BulkPoint&)>& visit) {
+  for (std::size_t c = 0; c < m.cells.size(); ++c) {
+    const auto& cell = m.cells[c];
+    BulkPoint point{static_cast<Index>(c), cell.side_if_cut(), {}, 0.0, {cell.unknown, std::array<double, 3>{}}};
     const auto on = [&](const std::array<Vec2, 3>& t) {
       const double area = 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-      for (const auto& q : kRule) visit(cell, q.a * t[0] + q.b * t[1] + q.c * t[2], q.weight * area);
+      for (const auto& q : kRule) {
+        point.reference = q.a * t[0] + q.b * t[1] + q.c * t[2];
+        point.weight = q.weight * area;
+        point.stencil.weight = geometry::shape_values(m.mesh, cell.element, point.reference);
+        visit(point);
+      }
     };
     if (cell.cut == kNone) {
       const auto& t = m.mesh.triangles[cell.element];
@@ -88,14 +94,19 @@ void for_each_point(const assembly::Model& m,
       for (const auto& t : m.cut.elements[cell.cut].sub_triangles[static_cast<int>(cell.side)]) on(t);
     }
   }
+  for (std::size_t p = 0; p < m.tip_points.size(); ++p) {
+    const auto& at = m.tip_points[p];
+    visit({static_cast<Index>(m.cells.size() + p), at.side, at.reference, at.weight,
+           enrichment::stencil_at(m.mesh, m.cut, m.unknowns, at.element, at.side, at.reference)});
+  }
 }
 
 VecX body_force(const assembly::Model& m, const Density& density) {
   VecX force = VecX::Zero(m.unknowns.components());
-  for_each_point(m, [&](const enrichment::Cell& cell, const Vec2& x, double weight) {
-    const auto value = geometry::shape_values(m.mesh, cell.element, x);
-    const Vec2 f = weight * density(x, cell.side_if_cut());
-    for (int k = 0; k < 3; ++k) force.segment<2>(2 * cell.unknown[k]) += value[k] * f;
+  for_each_point(m, [&](const BulkPoint& at) {
+    const Vec2 f = at.weight * density(at.reference, at.side);
+    for (std::size_t k = 0; k < at.stencil.unknown.size(); ++k)
+      force.segment<2>(2 * at.stencil.unknown[k]) += at.stencil.weight[k] * f;
   });
   return force;
 }
@@ -107,7 +118,7 @@ VecX face_force(const assembly::Model& m, const FaceTraction& traction) {
     const Vec2 outward = face.normal_sign() * turn_left(along.normalized());
     for (const double place : {0.5 - kGauss, 0.5 + kGauss}) {
       const Vec2 f = 0.5 * along.norm() * traction(face.reference_start + place * along, face.side, outward);
-      for (int k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < face.start.unknown.size(); ++k) {
         const double weight = (1.0 - place) * face.start.weight[k] + place * face.end.weight[k];
         force.segment<2>(2 * face.start.unknown[k]) += weight * f;
       }

@@ -22,8 +22,16 @@ VecX body_force(const assembly::Model& model, const Density& density);
 using FaceTraction = std::function<Vec2(const Vec2& point, geometry::Side side, const Vec2& outward)>;
 VecX face_force(const assembly::Model& model, const FaceTraction& traction);
 
-/// Calls visit(cell, point, weight) for the quadrature points of every cell.
-void for_each_point(const assembly::Model& model,
-                    const std::function<void(const enrichment::Cell&, const Vec2& point, double weight)>& visit);
+/// A place in the bulk to integrate over.
+struct BulkPoint {
+  Index material_point = kNone;  ///< whose gradient is that of the place
+  geometry::MaybeSide side;      ///< in a triangle that a crack divides
+  Vec2 reference;                ///< metres
+  double weight = 0.0;           ///< m^2
+  enrichment::Stencil stencil;   ///< of the displacement
+};
+
+/// Visits the quadrature points of every cell, and those of the tips.
+void for_each_point(const assembly::Model& model, const std::function<void(const BulkPoint&)>& visit);
 
 }  // namespace cleft::scene

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "exact.hpp"
 #include "loads.hpp"
@@ -31,7 +32,7 @@ std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, const geo
 std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh) {
   std::vector<geometry::Crack> cracks;
   for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, mesh)});
+    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, mesh), scene.tip_enrichment});
   return cracks;
 }
 
@@ -127,6 +128,21 @@ void refuse_reversed_cracks(const FieldSpec& spec, const std::vector<geometry::C
                       crack.name, spec.name));
 }
 
+// The work of a traction on branch functions is not counted.
+void refuse_ball(const TractionSpec& spec, const assembly::Model& m) {
+  if (m.cut.tips.empty()) return;
+  std::set<std::array<Index, 2>> edges;
+  for (const auto& edge : m.mesh.boundaries.at(spec.on)) edges.insert(edge);
+  for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (m.cut.tip_of_element[t] != kNone &&
+          edges.contains({m.mesh.triangles[t][k], m.mesh.triangles[t][(k + 1) % 3]}))
+        throw InputError(spec.at, "formulation.tip_enrichment",
+                         fmt::format("the ball of a tip reaches the boundary '{}', which carries a traction; allowed: "
+                                     "a smaller radius",
+                                     spec.on));
+}
+
 // Where two boundaries could differ most: between the points of their amplitudes both are linear, but for rotations.
 std::vector<double> loads_to_compare(const BoundarySpec& a, const BoundarySpec& b) {
   std::vector<double> loads;
@@ -189,6 +205,7 @@ assembly::Model build_model(const Scene& scene) {
   m.cut = cut_located(scene, m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
+  if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
   const auto constants = constitutive::lame(scene.material.young, scene.material.poisson);
   m.material = material_of(scene.material, scene.kinematics);
   if (!scene.cracks.empty()) set_up_contact(scene, m);
@@ -209,6 +226,7 @@ assembly::Model build_model(const Scene& scene) {
   if (const auto free = scene.boundaries.empty() ? std::nullopt : free_motion(m))
     throw InputError(scene.boundaries.back().at, "boundary",
                      *free + "; allowed: boundaries that together hold every part in x, in y and against turning");
+  for (const auto& t : scene.tractions) refuse_ball(t, m);
   for (const auto& t : scene.tractions)
     m.dead_loads.push_back(
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });

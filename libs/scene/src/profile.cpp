@@ -49,57 +49,6 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
   return out;
 }
 
-VtuGrid bulk_grid(const assembly::Model& m, const assembly::State& state) {
-  const VecX& displacement = state.displacement;
-  const auto& plastic = state.history.plastic;
-  VtuGrid grid;
-  grid.points = m.mesh.nodes;
-  VtuArray u{"displacement", 3, {}}, stress{"cauchy_stress", 6, {}}, mean{"mean_stress", 1, {}},
-      largest{"max_principal_stress", 1, {}}, strain{"plastic_strain", 1, {}}, ellipticity{"localisation", 1, {}},
-      angle{"localisation_angle", 1, {}};
-  for (std::size_t i = 0; i < m.mesh.nodes.size(); ++i) push(u, displacement.segment<2>(2 * static_cast<Index>(i)));
-  for (std::size_t c = 0; c < m.cells.size(); ++c) {
-    const auto& cell = m.cells[c];
-    const auto remembered = plastic.empty() ? constitutive::PlasticState{} : plastic[c];
-    const Mat2 F = cell.deformation(displacement);
-    const auto [sigma, out_of_plane] = assembly::stress_of(m.material, F, remembered);
-    const double centre = 0.5 * (sigma(0, 0) + sigma(1, 1)),
-                 radius = std::hypot(0.5 * (sigma(0, 0) - sigma(1, 1)), sigma(0, 1));
-    const auto localisation =
-        plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(m.material, F, remembered);
-    const auto describe = [&] {
-      stress.values.insert(stress.values.end(), {sigma(0, 0), sigma(1, 1), out_of_plane, sigma(0, 1), 0.0, 0.0});
-      mean.values.push_back((2.0 * centre + out_of_plane) / 3.0);
-      largest.values.push_back(std::fmax(centre + radius, out_of_plane));
-      if (plastic.empty()) return;
-      strain.values.push_back(remembered.accumulated);
-      ellipticity.values.push_back(localisation.value);
-      angle.values.push_back(localisation.angle);
-    };
-    if (cell.cut == kNone) {
-      const auto& t = m.mesh.triangles[cell.element];
-      grid.connectivity.insert(grid.connectivity.end(), t.begin(), t.end());
-      describe();
-      continue;
-    }
-    for (const auto& t : m.cut.elements[cell.cut].sub_triangles[static_cast<int>(cell.side)]) {
-      for (const Vec2& x : t) {
-        const auto value = geometry::shape_values(m.mesh, cell.element, x);
-        Vec2 at = Vec2::Zero();
-        for (int k = 0; k < 3; ++k) at += value[k] * displacement.segment<2>(2 * cell.unknown[k]);
-        grid.connectivity.push_back(static_cast<Index>(grid.points.size()));
-        grid.points.push_back(x);
-        push(u, at);
-      }
-      describe();
-    }
-  }
-  grid.point_data = {u};
-  grid.cell_data = {stress, mean, largest};
-  if (!plastic.empty()) grid.cell_data.insert(grid.cell_data.end(), {strain, ellipticity, angle});
-  return grid;
-}
-
 PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State& state) {
   PlasticExtremes out;
   const auto& plastic = state.history.plastic;

@@ -62,11 +62,10 @@ MaterialSpec read_material(const Section& s) {
   return out;
 }
 
-Kinematics read_formulation(const Section& s) {
+void read_formulation(const Section& s, Scene& out) {
   const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
-  s.number_or(
-      "tip_enrichment", 0.0, [](double x) { return x == 0.0; }, "0 (tip enrichment is not available)");
-  return small ? Kinematics::Small : Kinematics::Finite;
+  out.tip_enrichment = s.number_or("tip_enrichment", 0.0, kNotNegative, "0 (none) or a radius, m");
+  out.kinematics = small ? Kinematics::Small : Kinematics::Finite;
 }
 
 CrackSpec read_crack(const Section& s, std::size_t number) {
@@ -100,6 +99,7 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
                                           : contact::NegativeSide::Both;
   }
   out.friction = s.number_or("friction", 0.0, kNotNegative, "0 or greater");
+  out.intensities = s.flag_or("intensities", false);
   if (const auto c = s.section("contact", "crack.contact")) {
     if (c->has("method")) c->choice("method", {"penalty"});
     out.normal_penalty = c->maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
@@ -216,10 +216,14 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   if (materials.empty()) root.fail("material", "empty; allowed: one [material] section");
   if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
   out.material = read_material(materials[0]);
-  if (const auto s = root.section("formulation", "formulation")) out.kinematics = read_formulation(*s);
+  if (const auto s = root.section("formulation", "formulation")) read_formulation(*s, out);
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
     out.cracks.push_back(read_crack(s, out.cracks.size()));
+    if (out.cracks.back().intensities && out.tip_enrichment == 0.0)
+      s.fail("intensities", "need the ball of a tip; allowed with formulation.tip_enrichment greater than 0");
+    if (out.cracks.back().intensities && is_plastic(out.material))
+      s.fail("intensities", "are those of an elastic body; allowed with hencky and neo-hookean only");
     if (!names.insert(out.cracks.back().name).second)
       s.fail("name", fmt::format("'{}' names another crack, too; allowed: distinct names", out.cracks.back().name));
   }

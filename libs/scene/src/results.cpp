@@ -7,6 +7,9 @@
 #include <iterator>
 #include <limits>
 
+#include "cleft/scene/run.hpp"
+#include "intensities.hpp"
+
 namespace cleft::scene {
 namespace {
 
@@ -26,22 +29,21 @@ const char* name_of(contact::Status status) {
 
 }  // namespace
 
-std::vector<std::string> history_columns(const std::vector<std::string>& boundaries, bool plastic) {
+std::vector<std::string> history_columns(const Scene& scene) {
   std::vector<std::string> columns{"step", "load", "iterations", "cuts"};
-  for (const auto& name : boundaries) columns.insert(columns.end(), {"fx_" + name, "fy_" + name});
+  for (const auto& b : scene.boundaries) columns.insert(columns.end(), {"fx_" + b.name, "fy_" + b.name});
   columns.insert(columns.end(), {"elastic_energy", "contact_energy", "plastic_dissipation", "viscous_dissipation",
                                  "friction_dissipation", "external_work", "contact_points", "slipping_points",
                                  "max_slip", "min_gap", "max_pressure", "max_plastic_strain"});
-  if (plastic) columns.emplace_back("min_localisation");
+  if (is_plastic(scene.material)) columns.emplace_back("min_localisation");
+  for (const auto& crack : scene.cracks)
+    if (crack.intensities) std::ranges::copy(intensity_columns(crack.name), std::back_inserter(columns));
   return columns;
 }
 
-Results::Results(const assembly::Model& model, std::string directory, const Checkpoint* resumed)
-    : model_(model), directory_(std::move(directory)) {
-  std::vector<std::string> boundaries;
-  for (const auto& p : model.prescribed) boundaries.push_back(p.name);
-  open("history.csv",
-       fmt::format("{}\n", fmt::join(history_columns(boundaries, assembly::has_memory(model.material)), ",")), resumed);
+Results::Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed)
+    : scene_(scene), model_(model), directory_(std::move(directory)) {
+  open("history.csv", fmt::format("{}\n", fmt::join(history_columns(scene), ",")), resumed);
   open("newton.csv",
        "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
        "rounding,gradient\n",
@@ -95,6 +97,9 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
                      e.friction_dissipation, e.external_work, touching, slipping, slip, gap, pressure,
                      extremes.largest_strain);
   if (assembly::has_memory(model_.material)) row += fmt::format(",{}", extremes.least_localisation);
+  for (std::size_t k = 0; k < scene_.cracks.size(); ++k)
+    if (scene_.cracks[k].intensities)
+      row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));
   row += '\n';
   logs_.at("history.csv").append(row);
 }

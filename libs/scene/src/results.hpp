@@ -5,18 +5,16 @@
 #include <optional>
 
 #include "cleft/scene/checkpoint.hpp"
+#include "cleft/scene/description.hpp"
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/profile.hpp"
 
 namespace cleft::scene {
 
-/// Columns of history.csv, with two for each named boundary.
-std::vector<std::string> history_columns(const std::vector<std::string>& boundaries, bool plastic);
-
 class Results {
  public:
   /// Starts the files of a fresh run, or goes on with those that a checkpoint speaks of.
-  Results(const assembly::Model& model, std::string directory, const Checkpoint* resumed);
+  Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed);
 
   void add_step(const assembly::Step& step, const assembly::LoadStepper& stepper);
   void add_fields(const assembly::LoadStepper& stepper);
@@ -28,6 +26,7 @@ class Results {
  private:
   void open(const std::string& file, const std::string& header, const Checkpoint* resumed);
 
+  const Scene& scene_;
   const assembly::Model& model_;
   std::string directory_;
   std::map<std::string, LineLog> logs_;

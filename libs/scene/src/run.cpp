@@ -80,7 +80,8 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
                {"elements", model.mesh.triangles.size()},
                {"cut_elements", model.cut.elements.size()}};
   j["unknowns"] = {{"standard", 2 * model.unknowns.nodes},
-                   {"enriched", 2 * model.unknowns.enriched()},
+                   {"enriched", 2 * (model.unknowns.first_amplitude - model.unknowns.nodes)},
+                   {"tips", 2 * (model.unknowns.count - model.unknowns.first_amplitude)},
                    {"prescribed", stepper.constraints().size()},
                    {"contact_points", model.surfaces.points.size()}};
   j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric
@@ -125,12 +126,6 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
 
 }  // namespace
 
-std::vector<std::string> history_columns(const Scene& scene) {
-  std::vector<std::string> boundaries;
-  for (const auto& b : scene.boundaries) boundaries.push_back(b.name);
-  return history_columns(boundaries, is_plastic(scene.material));
-}
-
 RunResult run(const Scene& scene, const RunOptions& options) {
   set_blas_threads(options.threads);
   double total = 0.0;
@@ -152,7 +147,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     remove_results(options.directory);
   seconds.before = kept.seconds;
   assembly::LoadStepper stepper(model, step_controls(scene));
-  Results results(model, options.directory, options.resume ? &kept : nullptr);
+  Results results(scene, model, options.directory, options.resume ? &kept : nullptr);
   if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
 
   if (options.remark)

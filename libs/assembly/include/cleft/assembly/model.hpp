@@ -80,6 +80,9 @@ struct MaterialPoint {
 };
 MaterialPoint material_point(const Model& model, Index number);
 
+/// Deformation gradient of a material point, from the components of all unknowns.
+Mat2 deformation(const Model& model, Index number, const VecX& displacement);
+
 /// One prescribed component of the solution, and where its value comes from.
 struct Constraint {
   Index component = kNone;  ///< 2 * unknown + direction

@@ -49,6 +49,15 @@ struct TipPoint {
 std::vector<TipPoint> make_tip_points(const geometry::Mesh& mesh, const geometry::CutMesh& cut,
                                       const Unknowns& unknowns, int refinement = 0);
 
+/// A part of a triangle on one side of the crack (none where it is whole), as counter-clockwise triangles.
+struct Piece {
+  geometry::MaybeSide side;
+  std::vector<std::array<Vec2, 3>> triangles;
+};
+
+/// How a triangle in a ball is divided.
+std::vector<Piece> pieces_of(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element);
+
 /// The displacement at `point` of triangle `element`, on `side` of it where it is divided, or at a face of a tip's own
 /// triangle: three unknowns, or seven in a ball.
 Stencil stencil_at(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns, Index element,

@@ -46,6 +46,7 @@ struct CrackSpec {
   std::optional<Sine> sine;
   contact::NegativeSide negative_side = contact::NegativeSide::Right;
   double friction = 0.0;
+  bool intensities = false;  ///< whether the stress intensity factors of its tips are asked for
   std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
 };
 
@@ -116,6 +117,7 @@ struct Scene {
   MeshSpec mesh;
   MaterialSpec material;
   Kinematics kinematics = Kinematics::Finite;
+  double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
   std::vector<CrackSpec> cracks;
   std::vector<BoundarySpec> boundaries;
   std::vector<TractionSpec> tractions;

@@ -27,7 +27,8 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper);
 
 /// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress, and of a plastic material the
 /// accumulated plastic strain (the sum of the multipliers), the localisation function and the angle of its minimum
-/// (degrees, of the normal of the band from the x axis); each side of a cut triangle has its own points.
+/// (degrees, of the normal of the band from the x axis); each side of a cut triangle has its own points. In the ball of
+/// a tip a part of a triangle shows its mean stress and plastic strain and its least localisation function.
 VtuGrid bulk_grid(const assembly::Model& model, const assembly::State& state);
 
 /// Extremes over the body of a plastic material at rest: 0 and 1 without memory.
