@@ -6,7 +6,10 @@ namespace cleft::enrichment {
 
 Branches branches(const geometry::TipPolar& at) {
   Branches out;
-  if (at.r == 0.0) return out;
+  if (at.r == 0.0) {
+    out.gradient.fill(Vec2::Zero());
+    return out;
+  }
   const double root = std::sqrt(at.r);
   const double c = std::cos(0.5 * at.angle), s = std::sin(0.5 * at.angle);
   const double cos = std::cos(at.angle), sin = std::sin(at.angle);

@@ -11,6 +11,8 @@ using Points = std::vector<QuadraturePoint>;
 
 // A triangle may be this much larger than its distance from the tip.
 constexpr double kLargest = 1.0;
+// Where it is this much smaller, the functions are nearly quadratic in it.
+constexpr double kSmall = 1.0 / 3.0;
 // A tip within this part of a triangle's size from an edge or corner is on it.
 constexpr double kOnEdge = 1e-10;
 // Bisections after which a triangle is negligible, whatever the tip's distance.
@@ -51,6 +53,11 @@ void place_smooth(const Corners& t, Points& points) {
     const double a = (6.0 + sign * root) / 21.0, w = (155.0 + sign * root) / 1200.0 * area;
     for (int k = 0; k < 3; ++k) points.push_back({a * (t[0] + t[1] + t[2]) + (1.0 - 3.0 * a) * t[k], w});
   }
+}
+
+// Three points, exact to degree 2: less than half the points of a large ball, at no loss that would be seen.
+void place_quadratic(const Corners& t, Points& points) {
+  for (int k = 0; k < 3; ++k) points.push_back({(t[0] + t[1] + t[2]) / 6.0 + 0.5 * t[k], twice_area(t) / 6.0});
 }
 
 struct GaussPoint {
@@ -96,7 +103,9 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
     return;
   }
   const double away = std::min({distance(t[0], t[1], tip), distance(t[1], t[2], tip), distance(t[2], t[0], tip)});
-  if (size <= kLargest * away || depth == kDeepest) {
+  if (size <= kSmall * away) {
+    place_quadratic(t, points);
+  } else if (size <= kLargest * away || depth == kDeepest) {
     place_smooth(t, points);
   } else {
     for (const Corners& part : halves(t)) place(part, tip, depth + 1, points);

@@ -175,6 +175,20 @@ TEST(TipSpace, IsObjective) {
   }
 }
 
+TEST(TipPoints, TwoTipsHaveTheirOwnAmplitudes) {
+  const Plate plate(geometry::structured_mesh({-1, -1, 1, 1}, {20, 20}, geometry::Diagonal::Right),
+                    {{"crack", {{-0.51, 0.03}, {0.47, -0.04}}, 0.3}});
+  ASSERT_EQ(plate.cut.tips.size(), 2U);
+  EXPECT_EQ(plate.unknowns.count, plate.unknowns.first_amplitude + 8);
+  std::array<double, 2> area{};
+  for (const TipPoint& p : plate.points) {
+    area[p.tip] += p.weight;
+    for (int a = 0; a < kBranches; ++a) EXPECT_EQ(p.unknown[3 + a], plate.unknowns.first_amplitude + 4 * p.tip + a);
+    EXPECT_LT((p.reference - plate.cut.tips[p.tip].frame.tip()).norm(), 0.3 + 0.15);
+  }
+  for (const double sum : area) EXPECT_GT(sum, 3.14 * 0.09);
+}
+
 TEST(Unknowns, AmplitudesFollowTheGhosts) {
   const Plate with = test::box_with_crack(10, {0.03, 0.01}, 0.0, 0.5);
   EXPECT_EQ(with.unknowns.count, with.unknowns.first_amplitude + 4);

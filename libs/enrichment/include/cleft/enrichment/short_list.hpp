@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace cleft::enrichment {
 
@@ -29,7 +30,7 @@ class ShortList {
 
  private:
   std::array<T, kCapacity> entries_;
-  std::size_t size_ = 3;
+  std::uint32_t size_ = 3;
 };
 
 }  // namespace cleft::enrichment
