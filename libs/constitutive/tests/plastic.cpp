@@ -93,10 +93,10 @@ TYPED_TEST(Plastic, StateAtTheEndGivesTheSameStressAgain) {
       ASSERT_LE((first.piola - again.piola).norm(), 1e-13 * size) << name;
       ASSERT_NEAR(twice.accumulated, once.accumulated, 1e-13) << name;
       if (once.accumulated > step.committed.accumulated) {
-        EXPECT_NE(law.continuum_tangent(step.F, once).branch, Branch::kElastic) << name;
+        EXPECT_NE(law.continuum_tangent(step.F, once).branch, Branch::Elastic) << name;
         EXPECT_GT(law.dissipation(step.F, step.committed), 0.0) << name;
       } else {
-        EXPECT_EQ(law.dissipation(step.F, step.committed), 0.0) << name;
+        EXPECT_NEAR(law.dissipation(step.F, step.committed), 0.0, 1e-16 * law.constants.mu) << name;
       }
     }
   }
