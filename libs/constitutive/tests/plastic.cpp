@@ -42,7 +42,7 @@ Mat2 piola(const Law& law, const Mat2& F, const PlasticState& committed) {
 }
 
 TYPED_TEST(Plastic, TangentIsTheDerivativeOfTheStressInEveryBranch) {
-  const double h = 1e-6;
+  const double h = 1e-7;  // next to the apex the return bends within |s_tr|/mu
   std::array<int, 3> visits{};
   for (const auto& [name, material] : test::materials()) {
     const TypeParam law{material};
@@ -62,7 +62,7 @@ TYPED_TEST(Plastic, TangentIsTheDerivativeOfTheStressInEveryBranch) {
           for (int i = 0; i < 2; ++i)
             for (int J = 0; J < 2; ++J)
               ASSERT_NEAR(difference(i, J), D(i + 2 * J, k + 2 * L),
-                          1e-6 * D.row(i + 2 * J).cwiseAbs().maxCoeff() + 1e-9 * material.constants.mu)
+                          1e-6 * D.row(i + 2 * J).cwiseAbs().maxCoeff() + 1e-8 * material.constants.mu)
                   << name << ", branch " << static_cast<int>(branch) << ", F\n"
                   << step.F;
         }
