@@ -135,6 +135,18 @@ TEST(VonMises, HardensByTheUniaxialModulus) {
   }
 }
 
+TEST(DruckerPrager, TellsTheBranchOfAStressToNineDigits) {
+  const DruckerPrager m{lame(1e10, 0.25), 1.5e9, 0.8, 0.7, 0.0};
+  const PlaneTensor on_cone = plastic_step(m, plane_tensor(0.3, -0.2, 0.1, 0.0), 0.0).stress;
+  EXPECT_EQ(branch_of(m, on_cone, 1.0), Branch::Smooth);
+  EXPECT_EQ(branch_of(m, on_cone, 0.0), Branch::Elastic);  // has not flowed
+  EXPECT_EQ(branch_of(m, (1 - 1e-7) * on_cone, 1.0), Branch::Elastic);
+  EXPECT_EQ(branch_of(m, (1 - 1e-10) * on_cone, 1.0), Branch::Smooth);
+  const PlaneTensor apex = plus_identity({}, m.cohesion / m.friction);
+  EXPECT_EQ(branch_of(m, apex, 1.0), Branch::Apex);
+  EXPECT_EQ(branch_of(m, (1 - 1e-7) * apex, 1.0), Branch::Elastic);
+}
+
 TEST(DruckerPrager, SaysWhetherEveryTrialReturns) {
   const Lame c = lame(1e10, 0.25);
   EXPECT_TRUE(always_returns({c, 1e9, 0.8, 0.7, 0.0}));
