@@ -13,13 +13,13 @@ const DruckerPrager kMaterial{lame(1e10, 0.25), 1.5e9, 0.8, 0.7, 1e8};
 cleft::Mat2 gradient_of(Branch branch) {
   cleft::Mat2 F;
   switch (branch) {
-    case Branch::kElastic:
+    case Branch::Elastic:
       F << 1.01, 0.02, -0.01, 0.99;
       break;
-    case Branch::kSmooth:
+    case Branch::Smooth:
       F << 1.1, 0.5, -0.05, 0.9;
       break;
-    case Branch::kApex:
+    case Branch::Apex:
       F << 1.4, 0.02, -0.01, 1.4;
       break;
   }
@@ -39,16 +39,16 @@ void respond_on(benchmark::State& state) {
     benchmark::DoNotOptimize(updated);
   }
 }
-BENCHMARK(respond_on<SmallPlastic, Branch::kElastic>);
-BENCHMARK(respond_on<SmallPlastic, Branch::kSmooth>);
-BENCHMARK(respond_on<SmallPlastic, Branch::kApex>);
-BENCHMARK(respond_on<FinitePlastic, Branch::kElastic>);
-BENCHMARK(respond_on<FinitePlastic, Branch::kSmooth>);
-BENCHMARK(respond_on<FinitePlastic, Branch::kApex>);
+BENCHMARK(respond_on<SmallPlastic, Branch::Elastic>);
+BENCHMARK(respond_on<SmallPlastic, Branch::Smooth>);
+BENCHMARK(respond_on<SmallPlastic, Branch::Apex>);
+BENCHMARK(respond_on<FinitePlastic, Branch::Elastic>);
+BENCHMARK(respond_on<FinitePlastic, Branch::Smooth>);
+BENCHMARK(respond_on<FinitePlastic, Branch::Apex>);
 
 void localisation_of_flow(benchmark::State& state) {
   const FinitePlastic law{kMaterial};
-  cleft::Mat2 F = gradient_of(Branch::kSmooth);
+  cleft::Mat2 F = gradient_of(Branch::Smooth);
   PlasticState flown;
   law.respond(F, {}, flown);
   for (auto _ : state) {

@@ -55,13 +55,13 @@ Return return_to_cone(const DruckerPrager& m, double pressure, double shear, dou
     out.moduli = {.lambda = m.constants.lambda, .mu = m.constants.mu};
     return out;
   }
-  out.branch = Branch::kSmooth;
+  out.branch = Branch::Smooth;
   out.multiplier = excess / smooth_stiffness(m);
   if (2.0 * m.constants.mu * out.multiplier <= shear) {
     out.removed = 2.0 * m.constants.mu * out.multiplier / shear;
     out.moduli = smooth_moduli(m, out.removed);
   } else {
-    out.branch = Branch::kApex;
+    out.branch = Branch::Apex;
     out.multiplier = yield_function(m, pressure, 0.0, accumulated) / apex_stiffness(m);
     out.removed = 1.0;
     out.moduli = apex_moduli(m);
@@ -72,11 +72,11 @@ Return return_to_cone(const DruckerPrager& m, double pressure, double shear, dou
 
 Moduli continuum_moduli(const DruckerPrager& m, Branch branch) {
   switch (branch) {
-    case Branch::kSmooth:
+    case Branch::Smooth:
       return smooth_moduli(m, 0.0);
-    case Branch::kApex:
+    case Branch::Apex:
       return apex_moduli(m);
-    case Branch::kElastic:
+    case Branch::Elastic:
       break;
   }
   return {.lambda = m.constants.lambda, .mu = m.constants.mu};
@@ -88,7 +88,7 @@ PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain
   PlasticStep out;
   out.map = return_to_cone(m, bulk_modulus(m.constants) * trace(trial_strain), two_mu * size, accumulated);
   if (size > 0.0) out.direction = (1.0 / size) * shape;
-  if (out.map.branch == Branch::kElastic) {
+  if (out.map.branch == Branch::Elastic) {
     out.stress = elastic_stress(m.constants, trial_strain);
     return out;
   }
@@ -100,14 +100,14 @@ PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain
 }
 
 Branch branch_of(const DruckerPrager& m, const PlaneTensor& stress, double accumulated) {
-  if (!(accumulated > 0.0)) return Branch::kElastic;
+  if (!(accumulated > 0.0)) return Branch::Elastic;
   const PlaneTensor s = deviator(stress);
   const double pressure = trace(stress) / 3.0, shear = std::sqrt(contract(s, s));
   const double strength = m.cohesion + m.hardening * accumulated;
   const double tolerance = std::max(1e-9 * std::max({strength, shear, std::abs(m.friction * pressure)}),
                                     1e-14 * uniaxial_strain_modulus(m.constants));
-  if (!(std::abs(yield_function(m, pressure, shear, accumulated)) <= tolerance)) return Branch::kElastic;
-  return shear <= tolerance ? Branch::kApex : Branch::kSmooth;
+  if (!(std::abs(yield_function(m, pressure, shear, accumulated)) <= tolerance)) return Branch::Elastic;
+  return shear <= tolerance ? Branch::Apex : Branch::Smooth;
 }
 
 PlaneTensor elastic_stress(const Lame& c, const PlaneTensor& elastic_strain) {

@@ -91,7 +91,7 @@ Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& com
   const PlasticStep step = plastic_step(*this, trial.strain, committed.accumulated);
   const Mat2 F_inverse = inverse(deformation), tau = in_plane(step.stress);
   updated = committed;
-  if (step.map.branch != Branch::kElastic) {
+  if (step.map.branch != Branch::Elastic) {
     relax(updated, F_inverse, trial, step.plastic_strain);
     updated.accumulated += step.map.multiplier;
   }

@@ -100,11 +100,11 @@ void add_chart(const Polynomial& p, bool steep, Candidates& candidates) {
 
 Localisation normalised(const Lame& constants, const ContinuumTangent& tangent) {
   switch (tangent.branch) {
-    case Branch::kElastic:
+    case Branch::Elastic:
       return {};
-    case Branch::kApex:
+    case Branch::Apex:
       return {0.0, 0.0};
-    case Branch::kSmooth:
+    case Branch::Smooth:
       break;
   }
   Localisation minimum = weakest_direction(tangent.moduli);

@@ -16,7 +16,7 @@ PlaneTensor elastic_strain(const Mat2& F, const PlasticState& state) {
 Response SmallPlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const {
   const PlasticStep step = plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated);
   updated = committed;
-  if (step.map.branch != Branch::kElastic) {
+  if (step.map.branch != Branch::Elastic) {
     const PlaneTensor& increment = step.plastic_strain;
     updated.deformation[0] += increment.centre + increment.radius[0];
     updated.deformation[1] += increment.centre - increment.radius[0];

@@ -31,7 +31,8 @@ Scan scan(const Mat4& moduli) {
 RC_GTEST_PROP(WeakestDirection, IsBelowEveryDirectionOfAScan, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const double tilt = *rc::gen::element(0.0, 1e-9, 1e-3, 1.0);  // from an isotropic to an arbitrary tangent
-  Mat4 moduli = Hencky{lame(between(random, 1, 10), between(random, 0, 0.45))}.respond(Mat2::Identity()).tangent;
+  const double young = between(random, 1, 10), poisson = between(random, 0, 0.45);
+  Mat4 moduli = Hencky{lame(young, poisson)}.respond(Mat2::Identity()).tangent;
   for (int k = 0; k < 16; ++k) moduli(k) += tilt * between(random, -5, 5);
   const Localisation found = weakest_direction(moduli);
   const Scan s = scan(moduli);
@@ -166,31 +167,43 @@ TEST(Localisation, OfFiniteStrainTendsToSmallStrainAndTurns) {
   EXPECT_NEAR(from_axis(turned.angle, axis + turn), from_axis(found.angle, axis), 1e-5);
 }
 
+// |s| over the cohesion
+template <class Law>
+double shear_strength_left(const Law& law, const Mat2& F, const PlasticState& state) {
+  PlasticState updated;
+  const Mat2 in_plane = test::stress(law, law.respond(F, state, updated), F);
+  const PlaneTensor s =
+      deviator(plane_tensor(in_plane(0, 0), in_plane(1, 1), in_plane(0, 1), law.out_of_plane_stress(F, state)));
+  return std::sqrt(contract(s, s)) / law.cohesion;
+}
+
 // The rate of the continued flow is what the algorithmic tangent tends to as the step shrinks.
 template <class Law>
 void expect_continuum_is_the_limit_of_small_steps() {
+  int compared = 0;
   for (const auto& [name, material] : test::materials()) {
     const Law law{material};
     for (const test::Step& step : test::steps(law, 20)) {
       PlasticState at_end, updated;
       law.respond(step.F, step.committed, at_end);
       const ContinuumTangent continuum = law.continuum_tangent(step.F, at_end);
-      if (at_end.accumulated == step.committed.accumulated || continuum.branch == Branch::kApex) continue;
+      if (at_end.accumulated == step.committed.accumulated || continuum.branch == Branch::Apex) continue;
+      if (shear_strength_left(law, step.F, at_end) < 0.01) continue;  // next to the apex no step is small
       // a minute step on from there that loads
       const Mat2 tau = test::stress(law, law.respond(step.F, at_end, updated), step.F);
       const Mat2 F = step.F + (1e-9 / law.constants.mu) * tau * step.F;
       const Mat4 D = law.respond(F, at_end, updated).tangent;
       if (updated.accumulated == at_end.accumulated) continue;
-      Mat4 pushed = D;
-      if constexpr (std::is_same_v<Law, FinitePlastic>) {
-        Mat4 push = Mat4::Zero();
-        for (int j = 0; j < 2; ++j)
-          for (int J = 0; J < 2; ++J) push.block<2, 2>(2 * j, 2 * J) = F(j, J) * Mat2::Identity();
-        pushed = push * D * push.transpose();
-      }
+      const Mat2 to_current = std::is_same_v<Law, FinitePlastic> ? F : Mat2::Identity();
+      Mat4 push = Mat4::Zero();
+      for (int j = 0; j < 2; ++j)
+        for (int J = 0; J < 2; ++J) push.block<2, 2>(2 * j, 2 * J) = to_current(j, J) * Mat2::Identity();
+      const Mat4 pushed = push * D * push.transpose();
+      ++compared;
       EXPECT_LE((pushed - continuum.moduli).norm(), 1e-5 * law.constants.mu) << name;
     }
   }
+  EXPECT_GT(compared, 200);
 }
 TEST(ContinuumTangent, IsTheLimitOfSmallSteps) {
   expect_continuum_is_the_limit_of_small_steps<SmallPlastic>();
@@ -213,10 +226,10 @@ void expect_one_where_elastic_and_zero_on_the_apex() {
   EXPECT_EQ(localisation(law, F, unloaded).value, 1.0);
   F << 1.2, 0.02, 0.01, 1.2;
   law.respond(F, {}, state);
-  EXPECT_EQ(law.continuum_tangent(F, state).branch, Branch::kApex);
+  EXPECT_EQ(law.continuum_tangent(F, state).branch, Branch::Apex);
   EXPECT_EQ(localisation(law, F, state).value, 0.0);
   // exactly on the yield surface, but never yielded
-  EXPECT_EQ(branch_of(law, elastic_stress(law.constants, {}), 0.0), Branch::kElastic);
+  EXPECT_EQ(branch_of(law, elastic_stress(law.constants, {}), 0.0), Branch::Elastic);
 }
 TEST(Localisation, IsOneWhereElasticAndZeroOnTheApex) {
   expect_one_where_elastic_and_zero_on_the_apex<SmallPlastic>();

@@ -42,7 +42,7 @@ Mat2 piola(const Law& law, const Mat2& F, const PlasticState& committed) {
 }
 
 TYPED_TEST(Plastic, TangentIsTheDerivativeOfTheStressInEveryBranch) {
-  const double h = 1e-6;
+  const double h = 1e-7;  // next to the apex the return bends within |s_tr|/mu
   std::array<int, 3> visits{};
   for (const auto& [name, material] : test::materials()) {
     const TypeParam law{material};
@@ -62,7 +62,7 @@ TYPED_TEST(Plastic, TangentIsTheDerivativeOfTheStressInEveryBranch) {
           for (int i = 0; i < 2; ++i)
             for (int J = 0; J < 2; ++J)
               ASSERT_NEAR(difference(i, J), D(i + 2 * J, k + 2 * L),
-                          1e-6 * D.row(i + 2 * J).cwiseAbs().maxCoeff() + 1e-9 * material.constants.mu)
+                          1e-6 * D.row(i + 2 * J).cwiseAbs().maxCoeff() + 1e-8 * material.constants.mu)
                   << name << ", branch " << static_cast<int>(branch) << ", F\n"
                   << step.F;
         }
@@ -93,10 +93,10 @@ TYPED_TEST(Plastic, StateAtTheEndGivesTheSameStressAgain) {
       ASSERT_LE((first.piola - again.piola).norm(), 1e-13 * size) << name;
       ASSERT_NEAR(twice.accumulated, once.accumulated, 1e-13) << name;
       if (once.accumulated > step.committed.accumulated) {
-        EXPECT_NE(law.continuum_tangent(step.F, once).branch, Branch::kElastic) << name;
+        EXPECT_NE(law.continuum_tangent(step.F, once).branch, Branch::Elastic) << name;
         EXPECT_GT(law.dissipation(step.F, step.committed), 0.0) << name;
       } else {
-        EXPECT_EQ(law.dissipation(step.F, step.committed), 0.0) << name;
+        EXPECT_NEAR(law.dissipation(step.F, step.committed), 0.0, 1e-16 * law.constants.mu) << name;
       }
     }
   }

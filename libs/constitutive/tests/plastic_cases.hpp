@@ -43,7 +43,8 @@ inline std::vector<NamedMaterial> materials() {
 /// In-plane stretches whose logarithms differ by `gap`, turned on both sides.
 inline Mat2 stretched(std::mt19937& random, double log_mean, double gap) {
   const Mat2 stretch = Vec2(std::exp(log_mean + 0.5 * gap), std::exp(log_mean - 0.5 * gap)).asDiagonal();
-  return rotation(between(random, -3.1, 3.1)) * stretch * rotation(between(random, -3.1, 3.1));
+  const double before = between(random, -3.1, 3.1), after = between(random, -3.1, 3.1);
+  return rotation(after) * stretch * rotation(before);
 }
 
 /// A step to F from a state that an earlier step left behind (at rest for every other one).
@@ -65,7 +66,8 @@ std::vector<Step> steps(const Law& law, unsigned seed) {
         if (!kFinite) F = F * F.transpose();  // no rotation: it would count as strain
         PlasticState committed;
         if (k % 2 == 1) {
-          const Mat2 before = stretched(random, between(random, -0.1, 0.1), between(random, 0.0, 0.5));
+          const double before_mean = between(random, -0.1, 0.1), before_gap = between(random, 0.0, 0.5);
+          const Mat2 before = stretched(random, before_mean, before_gap);
           law.respond(before, {}, committed);
           if (kFinite && k == 3) F = stretched(random, mean, gap) * before;  // F F_before^-1 is the stretch
         }
@@ -79,7 +81,7 @@ template <class Law>
 Branch branch_of_step(const Law& law, const Step& step, const Mat2& F) {
   PlasticState updated;
   law.respond(F, step.committed, updated);
-  if (updated.accumulated == step.committed.accumulated) return Branch::kElastic;
+  if (updated.accumulated == step.committed.accumulated) return Branch::Elastic;
   return law.continuum_tangent(F, updated).branch;
 }
 

@@ -18,12 +18,13 @@ PlaneTensor random_strain(std::mt19937& random) {
   const double size = std::pow(10.0, between(random, -3.0, 0.0));
   const double mean = between(random, -1, 1), in_plane_gap = gap(), out_of_plane_gap = gap();
   return size * PlaneTensor{.centre = mean,
-                            .radius = in_plane_gap * Vec2(between(random, -1, 1), between(random, -1, 1)),
+                            .radius = in_plane_gap * Vec2{between(random, -1, 1), between(random, -1, 1)},
                             .normal = mean + out_of_plane_gap * between(random, -1, 1)};
 }
 
 DruckerPrager random_material(std::mt19937& random, int kind) {
-  const Lame c = lame(std::pow(10.0, between(random, 0, 10)), between(random, -0.5, 0.49));
+  const double young = std::pow(10.0, between(random, 0, 10)), poisson = between(random, -0.5, 0.49);
+  const Lame c = lame(young, poisson);
   const double hardening = kind % 2 == 0 ? 0.0 : c.mu * between(random, 0.01, 2.0);
   const double strength = c.mu * std::pow(10.0, between(random, -3.0, -0.5));
   if (kind < 2) return von_mises(c, strength, hardening);
@@ -49,26 +50,22 @@ double norm(const PlaneTensor& a) { return std::sqrt(contract(a, a)); }
 
 TEST(ReturnMap, EndsInsideOrOnTheYieldSurface) {
   std::array<int, 3> visits{};
-  double worst = 0.0;
   for (const auto& [m, strain, accumulated] : trials(100000)) {
     const PlasticStep step = plastic_step(m, strain, accumulated);
     ++visits[static_cast<std::size_t>(step.map.branch)];
     const double p = trace(step.stress) / 3.0, shear = norm(deviator(step.stress));
     const double f = yield_function(m, p, shear, accumulated + step.map.multiplier);
     const double trial_size = norm(elastic_stress(m.constants, strain));
-    if (step.map.branch == Branch::kElastic) {
+    if (step.map.branch == Branch::Elastic) {
       ASSERT_LE(f, 1e-14 * (m.cohesion + trial_size));
     } else {
-      const double error = std::abs(f) / (m.cohesion + trial_size);
-      worst = std::max(worst, error);
-      ASSERT_LE(error, 1e-14);
+      ASSERT_LE(std::abs(f), 1e-14 * (m.cohesion + trial_size));
       ASSERT_GT(step.map.multiplier, 0.0);
     }
-    if (step.map.branch == Branch::kApex) {
+    if (step.map.branch == Branch::Apex) {
       ASSERT_LE(shear, 1e-15 * trial_size);
     }
   }
-  RecordProperty("worst", std::to_string(worst));
   for (const int count : visits) EXPECT_GT(count, 5000);
 }
 
@@ -87,7 +84,7 @@ TEST(ReturnMap, ObeysTheElasticLawAndTheFlowRule) {
     const double multiplier = step.map.multiplier;
     ASSERT_NEAR(trace(plastic), m.dilatancy * multiplier, 1e-14 * size);
     const PlaneTensor shape = deviator(plastic), s = deviator(step.stress);
-    if (step.map.branch == Branch::kSmooth) {
+    if (step.map.branch == Branch::Smooth) {
       ASSERT_NEAR(norm(shape), multiplier, 1e-14 * size);
       ASSERT_NEAR(contract(shape, s), multiplier * norm(s), 1e-13 * size * stress_size);  // along s
     } else {
@@ -107,8 +104,8 @@ TEST(ReturnMap, IsContinuousFromTheSmoothConeToItsApex) {
     const double edge = two_mu * dgamma;
     const Return smooth = return_to_cone(m, pressure, edge * (1 + 1e-9), accumulated);
     const Return apex = return_to_cone(m, pressure, edge * (1 - 1e-9), accumulated);
-    ASSERT_EQ(smooth.branch, Branch::kSmooth) << name;
-    ASSERT_EQ(apex.branch, Branch::kApex) << name;
+    ASSERT_EQ(smooth.branch, Branch::Smooth) << name;
+    ASSERT_EQ(apex.branch, Branch::Apex) << name;
     EXPECT_NEAR(smooth.multiplier, apex.multiplier, 1e-8 * dgamma) << name;
     EXPECT_NEAR(smooth.pressure, apex.pressure, 1e-8 * pressure) << name;
     EXPECT_NEAR(smooth.removed, 1.0, 1e-8) << name;
@@ -138,6 +135,18 @@ TEST(VonMises, HardensByTheUniaxialModulus) {
   }
 }
 
+TEST(DruckerPrager, TellsTheBranchOfAStressToNineDigits) {
+  const DruckerPrager m{lame(1e10, 0.25), 1.5e9, 0.8, 0.7, 0.0};
+  const PlaneTensor on_cone = plastic_step(m, plane_tensor(0.3, -0.2, 0.1, 0.0), 0.0).stress;
+  EXPECT_EQ(branch_of(m, on_cone, 1.0), Branch::Smooth);
+  EXPECT_EQ(branch_of(m, on_cone, 0.0), Branch::Elastic);  // has not flowed
+  EXPECT_EQ(branch_of(m, (1 - 1e-7) * on_cone, 1.0), Branch::Elastic);
+  EXPECT_EQ(branch_of(m, (1 - 1e-10) * on_cone, 1.0), Branch::Smooth);
+  const PlaneTensor apex = plus_identity({}, m.cohesion / m.friction);
+  EXPECT_EQ(branch_of(m, apex, 1.0), Branch::Apex);
+  EXPECT_EQ(branch_of(m, (1 - 1e-7) * apex, 1.0), Branch::Elastic);
+}
+
 TEST(DruckerPrager, SaysWhetherEveryTrialReturns) {
   const Lame c = lame(1e10, 0.25);
   EXPECT_TRUE(always_returns({c, 1e9, 0.8, 0.7, 0.0}));
@@ -156,9 +165,9 @@ TEST(DruckerPrager, SaysWhetherEveryTrialReturns) {
 TEST(DruckerPrager, WithoutCohesionCarriesNoTension) {
   const DruckerPrager sand{lame(1e8, 0.3), 0.0, 0.6, 0.3, 0.0};
   const PlasticStep step = plastic_step(sand, plane_tensor(1e-3, 2e-3, 1e-4, 5e-4), 0.0);
-  EXPECT_EQ(step.map.branch, Branch::kApex);
+  EXPECT_EQ(step.map.branch, Branch::Apex);
   EXPECT_NEAR(trace(step.stress), 0.0, 1e-9);
-  EXPECT_EQ(plastic_step(sand, {}, 0.0).map.branch, Branch::kElastic);
+  EXPECT_EQ(plastic_step(sand, {}, 0.0).map.branch, Branch::Elastic);
 }
 
 }  // namespace

@@ -41,15 +41,15 @@ struct DruckerPrager {
 /// thirds of the uniaxial modulus.
 DruckerPrager von_mises(const Lame& constants, double yield_stress, double hardening_modulus = 0.0);
 
-/// Whether every trial stress has a return: no softening, a cohesion that is not negative (J2: positive), and a cone that
-/// dilates. Without dilatancy no plastic strain relieves the pressure, and the apex is out of reach (perfect plasticity) or
-/// comes to the stress by hardening without plastic strain.
+/// Whether every trial stress has a return: no softening, a cohesion that is not negative (J2: positive), and a cone
+/// that dilates. Without dilatancy no plastic strain relieves the pressure, and the apex is out of reach (perfect
+/// plasticity) or comes to the stress by hardening without plastic strain.
 bool always_returns(const DruckerPrager& material);
 
 /// |s| + beta p - alpha(accumulated), Pa: negative inside.
 double yield_function(const DruckerPrager& material, double pressure, double shear, double accumulated);
 
-enum class Branch { kElastic, kSmooth, kApex };
+enum class Branch { Elastic, Smooth, Apex };
 
 /// A tangent d(stress) = lambda tr(de) 1 + 2 mu de + (one_n 1 + n_n n)(n : de) + n_one tr(de) n, all in Pa, where n is
 /// a deviatoric unit tensor: the direction of the trial deviator.
@@ -60,7 +60,7 @@ struct Moduli {
 
 /// Where the return ends, from the two invariants of the trial stress.
 struct Return {
-  Branch branch = Branch::kElastic;
+  Branch branch = Branch::Elastic;
   double multiplier = 0.0;  ///< dgamma
   double pressure = 0.0;    ///< p, Pa
   double removed = 0.0;     ///< s = (1 - removed) s_tr: 0 elastic, 1 on the apex
