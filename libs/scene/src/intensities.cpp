@@ -41,6 +41,58 @@ std::vector<FacePiece> tractions(const assembly::LoadStepper& stepper, Index cra
   return out;
 }
 
+// The straight line through (x, y) with least squares.
+class Line {
+ public:
+  void add(double x, double y, double weight = 1.0) {
+    n_ += weight;
+    x_ += weight * x;
+    y_ += weight * y;
+    xx_ += weight * x * x;
+    xy_ += weight * x * y;
+  }
+  double operator()(double x) const { return (y_ * xx_ - x_ * xy_ + (n_ * xy_ - x_ * y_) * x) / (n_ * xx_ - x_ * x_); }
+
+ private:
+  double n_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0;
+};
+
+double distance(const FacePiece& piece, const geometry::TipBall& ball) {
+  return (0.5 * (piece.start + piece.end) - ball.frame.tip()).norm();
+}
+
+bool is_closed(const assembly::LoadStepper& stepper, const geometry::TipBall& ball) {
+  const auto& surfaces = stepper.model().surfaces;
+  bool any = false;
+  for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
+    const auto& point = surfaces.points[p];
+    const auto& face = surfaces.faces[point.face];
+    const Vec2 X = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
+    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > ball.radius) continue;
+    any = true;
+    if (!contact::presses(stepper.pairs()[p])) return false;
+  }
+  return any;
+}
+
+// At the tip of closed faces the pressure of the penalty is wrong: soft springs lose it within an element, stiff ones
+// let it oscillate, and the integral weighs it by r^(-1/2). What acts farther out is continued to the tip: on the
+// closed crack of the verification (h = a / 43, springs at 10 E/h) K_II is then off by 0.02 % instead of 3 %.
+void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
+  constexpr double kWrong = 0.2;  // of the radius
+  std::array<Line, 2> fit;
+  const auto sign = [](const FacePiece& piece) { return piece.side == Side::Left ? 1.0 : -1.0; };
+  for (const auto& piece : pieces) {
+    const double r = distance(piece, ball);
+    if (r < kWrong * ball.radius || r > ball.radius) continue;
+    for (int i = 0; i < 2; ++i) fit[i].add(r, sign(piece) * piece.traction[i], (piece.end - piece.start).norm());
+  }
+  for (auto& piece : pieces) {
+    const double r = distance(piece, ball);
+    piece.traction = sign(piece) * Vec2(fit[0](r), fit[1](r));
+  }
+}
+
 Intensities by_integral(const assembly::LoadStepper& stepper, Index tip) {
   const auto& m = stepper.model();
   const auto& ball = m.cut.tips[tip];
@@ -49,24 +101,10 @@ Intensities by_integral(const assembly::LoadStepper& stepper, Index tip) {
     const Mat2 F = point.deformation(u);
     return {F - Mat2::Identity(), assembly::stress_of(m.material, F).in_plane};
   };
-  return enrichment::interaction_integral(ball, tip, m.tip_points, state, tractions(stepper, ball.crack), body_of(m));
+  auto pieces = tractions(stepper, ball.crack);
+  if (is_closed(stepper, ball)) smooth(ball, pieces);
+  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m));
 }
-
-// The value at 0 of the straight line through (x, y) with least squares.
-class Line {
- public:
-  void add(double x, double y) {
-    n_ += 1.0;
-    x_ += x;
-    y_ += y;
-    xx_ += x * x;
-    xy_ += x * y;
-  }
-  double at_zero() const { return (y_ * xx_ - x_ * xy_) / (n_ * xx_ - x_ * x_); }
-
- private:
-  double n_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0;
-};
 
 Intensities by_faces(const assembly::LoadStepper& stepper, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
@@ -88,7 +126,7 @@ Intensities by_faces(const assembly::LoadStepper& stepper, Index tip) {
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));
   }
-  return {opening.at_zero(), sliding.at_zero()};
+  return {opening(0.0), sliding(0.0)};
 }
 
 }  // namespace
