@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/geometry/lines.hpp"
 #include "cleft/support/error.hpp"
 
 namespace cleft::geometry {
@@ -11,14 +12,16 @@ Mesh structured_mesh(const std::array<double, 4>& box, const std::array<int, 2>&
   if (!(box[2] > box[0]) || !(box[3] > box[1]))
     throw InputError({}, "mesh.box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
   if (cells[0] < 1 || cells[1] < 1) throw InputError({}, "mesh.cells", "at least one cell in each direction is needed");
-  const Index nx = cells[0], ny = cells[1];
+  return mesh_of_lines(even_lines(box[0], box[2], cells[0]), even_lines(box[1], box[3], cells[1]), diagonal);
+}
+
+Mesh mesh_of_lines(const std::vector<double>& x, const std::vector<double>& y, Diagonal diagonal) {
+  const auto nx = static_cast<Index>(x.size()) - 1, ny = static_cast<Index>(y.size()) - 1;
   const auto node = [&](Index i, Index j) { return j * (nx + 1) + i; };
   Mesh mesh;
   mesh.nodes.reserve(static_cast<std::size_t>(nx + 1) * (ny + 1));
   for (Index j = 0; j <= ny; ++j)
-    for (Index i = 0; i <= nx; ++i)
-      mesh.nodes.emplace_back(i == nx ? box[2] : box[0] + (box[2] - box[0]) * i / nx,
-                              j == ny ? box[3] : box[1] + (box[3] - box[1]) * j / ny);
+    for (Index i = 0; i <= nx; ++i) mesh.nodes.emplace_back(x[i], y[j]);
   mesh.triangles.reserve(static_cast<std::size_t>(2) * nx * ny);
   for (Index j = 0; j < ny; ++j)
     for (Index i = 0; i < nx; ++i) {

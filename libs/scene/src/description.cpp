@@ -69,6 +69,7 @@ Json physics(const Scene& s) {
                {"box", s.mesh.box},
                {"cells", s.mesh.cells},
                {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
+  if (s.mesh.focus) j["mesh"]["focus"] = {{"box", s.mesh.focus->box}, {"share", s.mesh.focus->share}};
   j["material"] = material(s.material);
   j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"},
                       {"tip_enrichment", s.tip_enrichment}};

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cleft/geometry/lines.hpp"
 #include "exact.hpp"
 #include "loads.hpp"
 #include "supports.hpp"
@@ -16,13 +17,28 @@ namespace {
 
 constexpr double kSineTolerance = 0.01;  // of the element size: how far the sampled curve may be from the sine
 
+geometry::Mesh make_mesh(const MeshSpec& spec) {
+  if (!spec.focus) return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal);
+  const auto lines = [&](int k) {
+    const auto& box = spec.focus->box;
+    return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k], {box[k], box[k + 2], spec.focus->share});
+  };
+  return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
+}
+
 double element_size(const geometry::Mesh& mesh, Index t) { return std::sqrt(2.0 * geometry::triangle_area(mesh, t)); }
+
+double smallest_element(const geometry::Mesh& mesh) {
+  double out = element_size(mesh, 0);
+  for (Index t = 1; t < static_cast<Index>(mesh.triangles.size()); ++t) out = std::min(out, element_size(mesh, t));
+  return out;
+}
 
 std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, const geometry::Mesh& mesh) {
   if (!spec.sine) return spec.points;
   try {
     return geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude, spec.sine->periods,
-                                kSineTolerance * element_size(mesh, 0));
+                                kSineTolerance * smallest_element(mesh));
   } catch (const InputError&) {
     throw InputError(spec.at, fmt::format("crack[{}].amplitude", number),
                      "the curve is too long for this mesh; allowed: amplitudes and periods of the body's size");
@@ -200,7 +216,7 @@ std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& mod
 
 assembly::Model build_model(const Scene& scene) {
   assembly::Model m;
-  m.mesh = geometry::structured_mesh(scene.mesh.box, scene.mesh.cells, scene.mesh.diagonal);
+  m.mesh = make_mesh(scene.mesh);
   m.cracks = make_cracks(scene, m.mesh);
   m.cut = cut_located(scene, m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);

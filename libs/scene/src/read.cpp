@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cleft/geometry/lines.hpp"
 #include "document.hpp"
 
 namespace cleft::scene {
@@ -12,6 +13,25 @@ namespace {
 
 const Section::Check kPositive = [](double x) { return x > 0.0; };
 const Section::Check kNotNegative = [](double x) { return x >= 0.0; };
+
+MeshSpec::Focus read_focus(const Section& s, const MeshSpec& mesh) {
+  MeshSpec::Focus out;
+  const auto box = s.numbers("box", 4);
+  std::copy(box.begin(), box.end(), out.box.begin());
+  for (int k = 0; k < 2; ++k)
+    if (!(box[k] < box[k + 2]) || box[k] < mesh.box[k] || box[k + 2] > mesh.box[k + 2])
+      s.fail("box", "is empty or leaves the mesh; allowed: xmin < xmax and ymin < ymax within mesh.box");
+  out.share = s.number_or(
+      "share", out.share, [](double x) { return x > 0.0 && x < 1.0; }, "between 0 and 1");
+  for (int k = 0; k < 2; ++k) {
+    try {
+      (void)geometry::graded_lines(mesh.box[k], mesh.box[k + 2], mesh.cells[k], {box[k], box[k + 2], out.share});
+    } catch (const InputError& error) {
+      s.fail("share", error.problem());
+    }
+  }
+  return out;
+}
 
 MeshSpec read_mesh(const Section& s) {
   MeshSpec out;
@@ -34,6 +54,7 @@ MeshSpec read_mesh(const Section& s) {
                    : d == "left" ? geometry::Diagonal::Left
                                  : geometry::Diagonal::Alternating;
   }
+  if (const auto f = s.section("focus", "mesh.focus")) out.focus = read_focus(*f, out);
   return out;
 }
 

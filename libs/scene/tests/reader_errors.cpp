@@ -65,6 +65,14 @@ TEST(SceneReader, ReportsFaultsOfTheMesh) {
       {"[mesh]\nkind = \"structured\"\nbox = [0.0, 0.0, 0.04, 0.08]", "@[mesh]\nkind = \"structured\"", "mesh.box",
        "missing"},
       {"cells = [4, 8]\n", "cells = @[40000, 8]\n", "mesh.cells", "20000"},
+      {"cells = [4, 8]\n", "cells = [4, 8]\nfocus = { box = @[0.0, 0.0, 0.05, 0.08] }\n", "mesh.focus.box",
+       "is empty or leaves the mesh"},
+      {"cells = [4, 8]\n", "cells = [4, 8]\nfocus = { box = [0.01, 0.01, 0.02, 0.02], share = @1.5 }\n",
+       "mesh.focus.share", "1.5 is out of range; allowed: between 0 and 1"},
+      {"cells = [4, 8]\n", "cells = [4, 8]\nfocus = { box = [0.01, 0.01, 0.02, 0.02], share = @0.95 }\n",
+       "mesh.focus.share", "leaves no cells outside"},
+      {"cells = [4, 8]\n", "cells = [4, 80]\nfocus = { box = [0.01, 0.01, 0.02, 0.06], share = @0.25 }\n",
+       "mesh.focus.share", "smaller than inside; allowed: a larger share"},
   });
 }
 
@@ -99,8 +107,9 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"[material]\nmodel", "@[[material]]\n[[material]]\nmodel", "material", "several materials"},
       {"kinematics = \"finite\"", "kinematics = @\"large\"", "formulation.kinematics",
        "'large' is not available; allowed: finite, small"},
-      {"tip_enrichment = 0.0", "tip_enrichment = @0.1", "formulation.tip_enrichment",
-       "tip enrichment is not available"},
+      {"tip_enrichment = 0.0", "tip_enrichment = @-0.1", "formulation.tip_enrichment",
+       "allowed: 0 (none) or a radius, m"},
+      {"friction = 0.3", "friction = 0.3\nintensities = @true", "crack[0].intensities", "need the ball of a tip"},
   });
 }
 

@@ -26,6 +26,9 @@ enum class Diagonal { Right, Left, Alternating };
 /// `box` is xmin, ymin, xmax, ymax in metres. Throws InputError on an empty box or a cell count below 1.
 Mesh structured_mesh(const std::array<double, 4>& box, const std::array<int, 2>& cells, Diagonal diagonal);
 
+/// A structured mesh between given lines, ascending coordinates of at least two each (lines.hpp).
+Mesh mesh_of_lines(const std::vector<double>& x, const std::vector<double>& y, Diagonal diagonal);
+
 /// The nodes of a named boundary, ascending. Throws std::out_of_range for an unknown name.
 std::vector<Index> boundary_nodes(const Mesh& mesh, const std::string& name);
 

@@ -19,6 +19,11 @@ struct MeshSpec {
   std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, metres
   std::array<int, 2> cells{};
   geometry::Diagonal diagonal = geometry::Diagonal::Right;
+  struct Focus {
+    std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, metres: where the cells are small
+    double share = 0.6;           ///< of the cells in each direction
+  };
+  std::optional<Focus> focus;
 };
 
 struct MaterialSpec {
