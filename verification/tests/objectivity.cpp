@@ -31,10 +31,14 @@ Pressed pressed(const Solved& run, double load) {
   return out;
 }
 
+// The pressure at the corner of the mouth is singular, about r^(-1/2), whose L2 norm hardly exists: what the last Gauss
+// point there happens to catch makes the distance over all of the contact scatter between 3 and 13 % on meshes of 8 to
+// 96 cells across, without an order. All but the two hundredths of the contact at that corner differ 5 to 20 times
+// less, and the less the finer the mesh.
 TEST(Objectivity, ThePressureDoesNotDependOnTheFaceThatIsIntegrated) {
-  std::vector<double> h, whole, inner;
+  std::vector<double> h, most, inner;
   Case table("block, upper against lower face, load 0.5");
-  for (const int across : {8, 16, 32, 64}) {
+  for (const int across : {8, 12, 16, 24, 32, 48, 64}) {
     std::array<Pressed, 2> on;
     for (const bool upper : {false, true})
       on[upper] = pressed(solve("block", {fmt::format("mesh.cells=[{},{}]", across, 2 * across), "loading.steps=25",
@@ -42,20 +46,28 @@ TEST(Objectivity, ThePressureDoesNotDependOnTheFaceThatIsIntegrated) {
                                           std::string("crack.main.negative_side=") + (upper ? "left" : "right")}),
                           1.0);
     const std::array zone{std::fmax(on[0].zone[0], on[1].zone[0]), std::fmax(on[0].zone[1], on[1].zone[1])};
-    const double margin = 0.1 * (zone[1] - zone[0]);
     h.push_back(0.04 / across);
-    whole.push_back(distance(on[1].profile, on[0].profile, zone).l2_relative);
-    inner.push_back(distance(on[1].profile, on[0].profile, {zone[0] + margin, zone[1] - margin}).l2_relative);
-    table.compare(fmt::format("distance of the pressures over the contact, {} across", across), whole.back(), exact(0),
+    const auto part = [&](double low, double high) {
+      const double length = zone[1] - zone[0];
+      return distance(on[1].profile, on[0].profile, {zone[0] + low * length, zone[1] - high * length}).l2_relative;
+    };
+    const double whole = part(0.0, 0.0);
+    most.push_back(part(0.05, 0.05));
+    inner.push_back(part(0.1, 0.1));
+    table.compare(fmt::format("distance of the pressures over the contact, {} across", across), whole, exact(0),
                   within(across == 64 ? 0.05 : 0.15, "the mouth's corner is singular"));
+    if (across == 64)
+      table.compare("the same without 2 % at the corner, 64 across", part(0.02, 0.0), exact(0),
+                    within(0.005, "a tenth of what it is with the corner"));
   }
   table.compare("distance over the inner 80 %, 64 across", inner.back(), exact(0),
                 within(0.005, "0.2 % by a prototype of the method"));
-  for (std::size_t k = 1; k < inner.size(); ++k) EXPECT_LT(inner[k], inner[k - 1]);
-  const auto fit = verify::fit_limit(h, whole, {.limit = 0.0});
-  EXPECT_GT(fit.order, 0.0) << "the distance over all of the contact falls, too";
-  table.compare("order of the distance over the inner 80 %", verify::fit_limit(h, inner, {.limit = 0.0}).order,
-                exact(2.0), within(1.0, "the coarse meshes have another contact zone; it must fall clearly"));
+  for (const auto& [name, values] : {std::pair{"inner 90 %", &most}, {"inner 80 %", &inner}}) {
+    const auto fit = verify::fit_limit(h, *values, {.limit = 0.0});
+    EXPECT_GT(fit.order - fit.order_pm, 0.0) << "it falls for certain, over the " << name;
+    table.compare(fmt::format("order of the distance over the {}", name), fit.order, exact(2.0),
+                  within(1.0, "the coarse meshes have another contact zone; it must fall clearly"));
+  }
 }
 
 }  // namespace
