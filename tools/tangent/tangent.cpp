@@ -73,8 +73,8 @@ int tangent(const Options& options) {
   std::optional<assembly::Failure> no_forces;
   // The run behind a wrong tangent is not worth waiting for.
   const auto failure = verify::visit_between(stepper, options.states, [&](const verify::StateBetween& between) {
-    no_forces =
-        verify::check_tangent(model, between.before.history, between.displacement, between.load, options.tolerance, report);
+    no_forces = verify::check_tangent(model, between.before.history, between.displacement, between.load,
+                                      options.tolerance, report);
     return !no_forces && report.worst() < options.tolerance;
   });
   fmt::print("{} states between converged ones; differences over the largest entry of the same piece in the row\n\n",

@@ -237,7 +237,11 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (factors != Factors::Regular || !finite || !lost.empty()) {
       out.failure =
           Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
-                  "prescribing more components, or bringing the parts into contact (is every part of the body held?)"};
+                  has_memory(model.material)
+                      ? "hardening or a lower load (the body may have reached its limit load), or prescribing more "
+                        "components (is every part of the body held?)"
+                      : "prescribing more components, or bringing the parts into contact (is every part of the body "
+                        "held?)"};
       return out;
     }
     u += du;

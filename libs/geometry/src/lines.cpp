@@ -54,8 +54,13 @@ std::vector<double> graded_lines(double from, double to, int cells, const Focus&
   const double size = (focus.to - focus.from) / inner;
   // divided so that both sides grow alike
   int left = before > 0.0 ? (after > 0.0 ? 1 : outer) : 0;
-  if (sides == 2)
-    while (left + 1 < outer && growth(left, before / size) > growth(outer - left, after / size)) ++left;
+  for (int most = outer - 1; sides == 2 && left < most;) {
+    const int middle = (left + most) / 2;
+    if (growth(middle, before / size) > growth(outer - middle, after / size))
+      left = middle + 1;
+    else
+      most = middle;
+  }
   const double grow_left = left > 0 ? growth(left, before / size) : 1.0,
                grow_right = outer > left ? growth(outer - left, after / size) : 1.0;
   if (std::min(grow_left, grow_right) < 1.0 - 1e-9)

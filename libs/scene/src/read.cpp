@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "cleft/constitutive/drucker_prager.hpp"
 #include "cleft/geometry/lines.hpp"
 #include "document.hpp"
 
@@ -78,7 +79,8 @@ MaterialSpec read_material(const Section& s) {
     out.dilatancy = s.number("dilatancy", kNotNegative, "0 or greater");
   }
   if (j2 || cone) out.hardening = s.number_or("hardening", 0.0, kNotNegative, "0 or greater, Pa");
-  if (out.friction > 0.0 && out.dilatancy == 0.0)
+  if (cone && !constitutive::always_returns({constitutive::lame(out.young, out.poisson), out.cohesion, out.friction,
+                                             out.dilatancy, out.hardening}))
     s.fail("dilatancy", "0 leaves no return to the apex of a cone; allowed: greater than 0 where friction is");
   return out;
 }

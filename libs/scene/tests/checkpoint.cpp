@@ -12,6 +12,7 @@ Checkpoint example() {
   c.state.displacement = VecX::LinSpaced(10, 0.0, 1.0 / 3.0);
   c.state.previous_displacement = -c.state.displacement;
   c.state.history.contact = {{3, 0.25, 1e-3, -7.0}, {kNone, 0.0, 0.0, 0.0}};
+  c.state.history.plastic = {{{1e-3, -2e-3, 3e-4, 1e-4}, 0.02}, {}};
   c.state.prescribed_force = VecX::Ones(4);
   c.state.energies.elastic = 5.0;
   c.place = {7, 0.01};
@@ -28,6 +29,9 @@ TEST(Checkpoint, ComesBackBitForBit) {
   EXPECT_EQ(to_bytes(back), to_bytes(c));
   EXPECT_EQ(back.state.displacement, c.state.displacement);
   EXPECT_EQ(back.state.history.contact[0].anchor_face, 3);
+  ASSERT_EQ(back.state.history.plastic.size(), 2u);
+  EXPECT_EQ(back.state.history.plastic[0].deformation, c.state.history.plastic[0].deformation);
+  EXPECT_EQ(back.state.history.plastic[0].accumulated, 0.02);
   EXPECT_EQ(back.room, c.room);
   EXPECT_EQ(back.log_bytes, c.log_bytes);
   EXPECT_EQ(back.outputs[0].file, "fields_0000.vtu");

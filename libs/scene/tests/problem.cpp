@@ -86,6 +86,25 @@ TEST(Problem, RefusesABodyThatIsNotHeld) {
       0u);
 }
 
+// Keys that contradict each other in different sections.
+TEST(Problem, RefusesWhatItsKinematicsOrMaterialCannotDo) {
+  const auto key_of = [](const std::string& text, const std::vector<std::string>& overrides) -> std::string {
+    try {
+      (void)scene_of(text, overrides);
+    } catch (const InputError& error) {
+      return error.key();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(key_of(kBlock, {"formulation.kinematics='small'", "boundary.top.rotation={center=[0,0],degrees=5}"}),
+            "boundary[1].rotation");
+  const std::string plastic = replaced(kBlock, "model = \"hencky\"", "model = \"j2\"\nyield_stress = 1e8");
+  EXPECT_EQ(key_of(plastic, {}), "accepted");
+  EXPECT_EQ(key_of(replaced(plastic, "[loading]", "[exact]\nsolution = \"waves\"\n[loading]"), {}), "exact.solution");
+  EXPECT_EQ(key_of(plastic, {"formulation.tip_enrichment=0.003", "crack.main.intensities=true"}),
+            "crack[0].intensities");
+}
+
 TEST(Problem, ComparesBoundariesWhereTheirAmplitudesBend) {
   const std::string left = "[[boundary]]\non = \"left\"\nuy = 1e-3\namplitude = [[0, 0], [0.51, 0], ";
   EXPECT_THROW(build_model(scene_of(kPlain + left + "[0.52, 1], [0.53, 0]]\n")), InputError);

@@ -15,9 +15,10 @@ constexpr double kShrink = 1.0 / 8;  // of the step, until the point stays on it
 // their scale.
 constexpr double kFaint = 1e-3;
 
-assembly::Model without_cells(const assembly::Model& model) {
+assembly::Model without_bulk(const assembly::Model& model) {
   assembly::Model out = model;
   out.cells.clear();
+  out.tip_points.clear();
   return out;
 }
 
@@ -64,7 +65,7 @@ Eigen::MatrixXd dense(const assembly::BlockMatrix& matrix, const std::vector<Ind
 
 SinglePoints::SinglePoints(const assembly::Model& model, const assembly::History& history, const VecX& u,
                            const Lengths& lengths)
-    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_cells(model)) {
+    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_bulk(model)) {
   one_history_.deepest = history.deepest;
   one_history_.contact.resize(1);
 }

@@ -65,6 +65,23 @@ TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
 }
 
 // The gaps are 4e-8 of an element: a step of the usual size would leave the branch.
+// Contact points are judged without the bulk around them, also where that is made of a tip's points that remember.
+TEST(CheckTangent, JudgesYieldingBodiesAndEnrichedTips) {
+  for (const char* scene : {"block_yield_small", "block_yield_finite"})
+    for (const char* radius : {"0", "0.004"}) {
+      Subject block(scene, {"mesh.cells=[8,16]", std::string("formulation.tip_enrichment=") + radius,
+                            "boundary.top.ux=-0.001", "boundary.top.uy=-0.001"});
+      TangentReport report = block.along_the_run(2);
+      EXPECT_LT(report.worst(), 1e-6) << scene << " " << radius;
+      EXPECT_TRUE(report.enough());
+      const auto points = static_cast<long>(block.model.surfaces.points.size());
+      long judged = 0;
+      for (const auto& [name, piece] : report.blocks)
+        if (name.starts_with("contact")) judged += piece.pieces;
+      EXPECT_GT(judged, points) << scene << " " << radius;
+    }
+}
+
 TEST(CheckTangent, ChoosesStepsThatKeepPointsOnTheirBranch) {
   Subject crack("through_crack", {"loading.steps=1", "crack.joint.friction=0.8"});
   TangentReport report = crack.along_the_run(1);

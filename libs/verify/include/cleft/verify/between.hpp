@@ -12,7 +12,7 @@ namespace cleft::verify {
 /// in earnest, and none that sticks has just reached its limit.
 struct StateBetween {
   const assembly::State& before;  ///< the first of the two converged states
-  VecX displacement;  ///< metres, all components
+  VecX displacement;              ///< metres, all components
   double load = 0.0;
 };
 
