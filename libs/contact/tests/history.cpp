@@ -51,11 +51,12 @@ TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
 }
 
 TEST_P(History, AnAnchorOnAnotherCrackHoldsNothing) {
-  const auto was = s.memory;
   for (auto& memory : s.memory) memory.anchor_face = static_cast<Index>(s.surfaces.faces.size());
   auto elsewhere = s.surfaces.faces.front();
   elsewhere.crack = 1;
   s.surfaces.faces.push_back(elsewhere);
+  s.surfaces.laws.push_back(s.surfaces.laws.front());
+  s.surfaces.sides.push_back(s.surfaces.sides.front());
   go(0.6 * kElastic);
   each([&](std::size_t p) {
     EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
