@@ -13,6 +13,8 @@ std::string describe(const Failure& failure) {
         return "the tangent matrix is singular";
       case FailureKind::NotFinite:
         return "a value is not finite";
+      case FailureKind::Unloaded:
+        return "the path of equilibrium leads back to load 0";
     }
     return "unknown failure";
   }();

@@ -54,26 +54,28 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
 double largest_gradient(const Model& model, const VecX& du) {
   double largest = 0.0;
   for_each_material_point(model, [&](std::size_t, const auto& point, double) {
-    Mat2 g = Mat2::Zero();  // not as F - I, which would round at 1
-    for (std::size_t k = 0; k < point.unknown.size(); ++k)
-      g += du.segment<2>(2 * point.unknown[k]) * point.gradient[k].transpose();
-    largest = std::max(largest, g.squaredNorm());
+    largest = std::max(largest, displacement_gradient(point, du).squaredNorm());
   });
   return std::sqrt(largest);
 }
 
-// Replaces the equations of prescribed components by du = change.
-void constrain(const std::vector<Constraint>& constraints, const VecX& change, double diagonal, BlockMatrix& matrix,
-               VecX& rhs) {
-  const bool moves = change.size() > 0 && change.cwiseAbs().maxCoeff() > 0.0;
-  if (moves) {
+// Takes what the prescribed components do to the others to the right-hand side, and their own change into it.
+void prescribe(const std::vector<Constraint>& constraints, const VecX& change, double diagonal,
+               const BlockMatrix& matrix, VecX& rhs) {
+  if (change.size() == 0) return;
+  if (change.cwiseAbs().maxCoeff() > 0.0) {
     VecX full = VecX::Zero(rhs.size());
     for (std::size_t k = 0; k < constraints.size(); ++k) full[constraints[k].component] = change[k];
     rhs -= matrix.multiply(full);
   }
+  for (std::size_t k = 0; k < constraints.size(); ++k) rhs[constraints[k].component] = diagonal * change[k];
+}
+
+// Replaces the rows and columns of the prescribed components by a diagonal, so that the matrix keeps its symmetry.
+void eliminate(const std::vector<Constraint>& constraints, double diagonal, BlockMatrix& matrix) {
   auto values = matrix.values();
-  for (std::size_t k = 0; k < constraints.size(); ++k) {
-    const Index c = constraints[k].component, block = c / 2, direction = c % 2;
+  for (const auto& constraint : constraints) {
+    const Index c = constraint.component, block = c / 2, direction = c % 2;
     for (const Index row : matrix.block_rows(block)) {
       const auto down = matrix.find(row, block), across = matrix.find(block, row);
       for (int i = 0; i < 2; ++i) {
@@ -83,8 +85,20 @@ void constrain(const std::vector<Constraint>& constraints, const VecX& change, d
     }
     const auto own = matrix.find(block, block);
     values[own.start + direction * own.stride + direction] = diagonal;
-    rhs[c] = diagonal * change[k];
   }
+}
+
+// How the right-hand side and the prescribed values follow the load.
+struct LoadRate {
+  VecX dead, prescribed;
+};
+
+LoadRate load_rate(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  constexpr double kStep = 1e-6;  // loads are piecewise smooth; only the iteration's direction depends on this
+  const double below = load - kStep, above = load + kStep;
+  return {
+      (dead_force(model, above) - dead_force(model, below)) / (above - below),
+      (prescribed_values(model, constraints, above) - prescribed_values(model, constraints, below)) / (above - below)};
 }
 
 void move_boundary(const std::vector<Constraint>& constraints, const VecX& target, VecX& u, VecX& change) {
@@ -157,15 +171,21 @@ RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
 }
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
-                          double load, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+                          const Goal& goal, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
                           const IterationObserver& observer) {
   Increment out;
-  const VecX target = prescribed_values(model, constraints, load);
-  const VecX dead = dead_force(model, load);
+  const bool along_path = goal.stretch > 0.0;
+  double& load = out.load;
+  load = along_path ? state.load + goal.stretch * (state.load - state.previous_load) : goal.load;
+  VecX target = prescribed_values(model, constraints, load);
+  VecX dead = dead_force(model, load);
   const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
   VecX& u = out.displacement;
   u = state.displacement;
-  if (controls.extrapolate) predict(state, constraints, target, load, u);
+  if (along_path)
+    u += goal.stretch * (state.displacement - state.previous_displacement);
+  else if (controls.extrapolate)
+    predict(state, constraints, target, load, u);
   VecX change(target.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
@@ -224,12 +244,28 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
 
     if (solver.pattern() != assembler.pattern_version()) solver.new_pattern(assembler.pattern_version());
     const bool kept = model.is_linear() && solver.has_factors();
-    if (!kept) constrain(constraints, change, modulus, assembler.matrix(), rhs);
+    if (!kept) prescribe(constraints, change, modulus, assembler.matrix(), rhs);
+    VecX by_load;
+    if (along_path) {
+      const LoadRate rate = load_rate(model, constraints, load);
+      by_load = rate.dead;
+      prescribe(constraints, rate.prescribed, modulus, assembler.matrix(), by_load);
+    }
+    if (!kept) eliminate(constraints, modulus, assembler.matrix());
     const auto& s = solver.seconds();
     const double before = s.analyse + s.factorise + s.solve;
     VecX du;
     const Factors factors = kept ? Factors::Regular : solver.factorise(assembler.matrix());
     if (factors != Factors::None) du = solver.solve(assembler.matrix(), rhs);
+    if (factors != Factors::None && along_path) {
+      const VecX along = solver.solve(assembler.matrix(), by_load);
+      const double missing = goal.stretch - state.progress.dot(u + du - state.displacement);
+      const double change_of_load = missing / state.progress.dot(along);
+      du += change_of_load * along;
+      load += change_of_load;
+      target = prescribed_values(model, constraints, load);
+      dead = dead_force(model, load);
+    }
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     const bool finite = factors != Factors::None && du.allFinite();
     const std::string lost =

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cleft/contact/history.hpp"
+#include "path.hpp"
 
 namespace cleft::assembly {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 constexpr double kSameLoad = 1e-12;
 constexpr double kCrumb = 1e-2;             // of the planned increment: however short that is, it may be cut to this
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
+constexpr double kShortest = 1.0 / 4096;    // along the path, of the last increment
+constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
 
 std::vector<double> targets_of(const StepControls& controls) {
   std::vector<double> all(controls.outputs);
@@ -52,40 +55,106 @@ double LoadStepper::next_target() const {
   return at == targets_.end() ? 1.0 : *at;
 }
 
+double LoadStepper::next_output() const {
+  const auto at = std::upper_bound(controls_.outputs.begin(), controls_.outputs.end(), place_.furthest + kSameLoad);
+  return at == controls_.outputs.end() ? 1.0 : *at;
+}
+
+Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {
+  return solve_increment(model_, constraints_, state_, goal, controls_.newton, assembler_, solver_, observer);
+}
+
+Increment LoadStepper::try_load(const IterationObserver& observer) {
+  const double target = next_target();
+  const double rest = target - state_.load;
+  // no crumbs: what is left after this increment is either nothing or at least as large
+  place_.step = rest <= place_.step * (1.0 + 1e-9) ? rest : std::min(place_.step, 0.5 * rest);
+  return solve({place_.step == rest ? target : state_.load + place_.step}, observer);
+}
+
+Increment LoadStepper::try_path(const IterationObserver& observer) {
+  Increment increment = solve({.stretch = place_.stretch}, observer);
+  if (increment.failure || increment.load <= next_output()) return increment;
+  return solve({next_output()}, observer);
+}
+
+// After a failure: false where there is nothing shorter to try.
+bool LoadStepper::shorten() {
+  if (place_.stretch > 0.0) {
+    place_.stretch *= 0.5;
+    return place_.stretch >= kShortest;
+  }
+  place_.step *= 0.5;
+  if (controls_.control == Control::Path && state_.progress.size() > 0) {
+    const double last = std::fabs(state_.load - state_.previous_load);
+    place_.stretch = last > 0.0 ? std::clamp(place_.step / last, 2.0 * kShortest, 1.0) : 1.0;
+    return true;
+  }
+  return place_.step >= controls_.min_step;
+}
+
+// After an increment that converged, which is committed already.
+void LoadStepper::lengthen(bool easy) {
+  const double planned = 1.0 / controls_.steps;
+  if (place_.stretch == 0.0) {
+    if (easy) place_.step = std::min(2.0 * place_.step, planned);
+    return;
+  }
+  const double gain = state_.load - state_.previous_load;
+  if (easy && gain >= kRises * planned) {
+    place_.stretch = 0.0;
+    place_.step = std::min(gain, planned);
+    return;
+  }
+  place_.stretch = easy ? 2.0 : 1.0;
+  if (gain != 0.0) place_.stretch = std::min(place_.stretch, planned / std::fabs(gain));
+}
+
+// What ends the run: the failure of the last attempt and how small that was.
+Failure LoadStepper::given_up(Failure failure, double load, double size) const {
+  const std::string place = failure.place.empty() ? "" : failure.place + ", ";
+  failure.place = place_.stretch > 0.0
+                      ? fmt::format("{}on the path from load {:.6g}, increments down to {:.1e} of the last", place,
+                                    state_.load, size)
+                      : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
+                                    state_.load, size);
+  if (has_memory(model_.material) && controls_.control == Control::Load)
+    failure.advice += "; the body may be at a limit load: loading.control = \"path\" goes beyond it";
+  return failure;
+}
+
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer) {
   Step out;
   for (;;) {
-    const double target = next_target();
-    const double rest = target - state_.load;
-    // no crumbs: what is left after this increment is either nothing or at least as large
-    const double size = rest <= place_.step * (1.0 + 1e-9) ? rest : std::min(place_.step, 0.5 * rest);
-    const double load = size == rest ? target : state_.load + size;
-    const Increment increment =
-        solve_increment(model_, constraints_, state_, load, controls_.newton, assembler_, solver_, observer);
+    const bool along_path = place_.stretch > 0.0;
+    const Increment increment = along_path ? try_path(observer) : try_load(observer);
     if (increment.failure) {
+      const double size = along_path ? place_.stretch : place_.step;
       ++out.cuts;
-      place_.step = 0.5 * size;
-      if (place_.step < controls_.min_step) {
-        Failure failure = *increment.failure;
-        failure.place = fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}",
-                                    failure.place.empty() ? "" : failure.place + ", ", load, state_.load, size);
-        return failure;
-      }
-      continue;
+      if (shorten()) continue;
+      return given_up(*increment.failure, increment.load, size);
     }
-    commit(load, increment);
-    if (increment.iterations.size() <= kEasyIterations && out.cuts == 0)
-      place_.step = std::min(2.0 * place_.step, 1.0 / controls_.steps);
+    if (!(increment.load > 0.0))
+      return Failure{FailureKind::Unloaded, fmt::format("from load {:.6g}", state_.load),
+                     "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
+    const bool is_output = std::any_of(controls_.outputs.begin(), controls_.outputs.end(),
+                                       [&](double l) { return std::fabs(l - increment.load) < kSameLoad; });
+    out.is_output = is_output && increment.load > place_.furthest;
+    commit(increment);
+    lengthen(increment.iterations.size() <= kEasyIterations && out.cuts == 0);
     out.number = ++place_.number;
-    out.load = load;
+    out.load = state_.load;
     out.iterations = increment.iterations;
     out.left = increment.left;
     return out;
   }
 }
 
-void LoadStepper::commit(double load, const Increment& increment) {
+void LoadStepper::commit(const Increment& increment) {
+  const double load = increment.load;
   pairs_ = assembler_.pairs();
+  if (controls_.control == Control::Path)
+    state_.progress = path_progress(model_, state_, increment.displacement, assembler_.plastic());
   Energies& energies = state_.energies;
   energies.elastic = elastic_energy(model_, increment.displacement, assembler_.plastic());
   energies.plastic_dissipation += plastic_dissipation(model_, increment.displacement, state_.history);
@@ -124,6 +193,7 @@ void LoadStepper::commit(double load, const Increment& increment) {
   state_.previous_load = state_.load;
   state_.previous_displacement = std::move(state_.displacement);
   state_.load = load;
+  place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
 }
 

@@ -169,7 +169,7 @@ TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
   Assembler assembler(model);
   LinearSolver solver(Factorisation::Unsymmetric);
   const auto increment =
-      solve_increment(model, constraints_of(model), state_at_rest(model), 0.1, controls, assembler, solver, {});
+      solve_increment(model, constraints_of(model), state_at_rest(model), {0.1}, controls, assembler, solver, {});
   ASSERT_TRUE(increment.failure);
   EXPECT_EQ(increment.failure->kind, FailureKind::NoConvergence);
   EXPECT_NE(describe(*increment.failure).find("after 1 iterations"), std::string::npos);
@@ -187,7 +187,7 @@ TEST(Newton, FailsWhereTheRoundingOfTheSpringsHidesTheForces) {
     Assembler assembler(model);
     LinearSolver solver(Factorisation::Unsymmetric);
     const auto increment =
-        solve_increment(model, constraints_of(model), state_at_rest(model), 1e-5, {}, assembler, solver, {});
+        solve_increment(model, constraints_of(model), state_at_rest(model), {1e-5}, {}, assembler, solver, {});
     EXPECT_EQ(!increment.failure, converges) << scale;
     if (!converges && increment.failure) {
       EXPECT_EQ(increment.failure->advice, "a softer penalty");
@@ -206,7 +206,7 @@ TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
   controls.extrapolate = false;
   const State& state = stepper.state();
   const auto increment =
-      solve_increment(model, constraints_of(model), state, state.load, controls, assembler, solver, {});
+      solve_increment(model, constraints_of(model), state, {state.load}, controls, assembler, solver, {});
   ASSERT_FALSE(increment.failure) << describe(*increment.failure);
   EXPECT_LE(increment.iterations.size(), 1u) << "the moved anchors reproduce the tractions";
   EXPECT_LT((increment.displacement - state.displacement).cwiseAbs().maxCoeff(), 1e-9);

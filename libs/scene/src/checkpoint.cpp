@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 4\n";
+constexpr char kMagic[] = "cleft checkpoint 5\n";
 
 struct Writer {
   std::string out;
@@ -86,8 +86,11 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.prescribed_force);
   io(s.previous_load);
   pass(io, s.previous_displacement);
+  pass(io, s.progress);
   io(c.place.number);
   io(c.place.step);
+  io(c.place.stretch);
+  io(c.place.furthest);
   pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
   io(c.iterations);
   io(c.cuts);

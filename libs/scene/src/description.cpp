@@ -83,7 +83,8 @@ Json physics(const Scene& s) {
                     {"density", s.gravity->density},
                     {"amplitude", s.gravity->amplitude.points}};
   if (s.exact) j["exact"] = {{"solution", field(*s.exact)}};
-  j["loading"] = {{"steps", s.loading.steps}};
+  j["loading"] = {{"steps", s.loading.steps},
+                  {"control", s.loading.control == assembly::Control::Path ? "path" : "load"}};
   if (!s.loading.every_step) j["loading"]["outputs"] = s.loading.outputs;
   j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance},
                  {"correction_tolerance", s.solver.correction_tolerance},

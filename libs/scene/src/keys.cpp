@@ -71,6 +71,7 @@ constexpr std::array kKeys = {
     Key{"exact", "solution", "text or table", "a registered field"},
     Key{"loading", "steps", "integer", "equal increments from load 0 to 1"},
     Key{"loading", "outputs", "array of numbers", "loads hit exactly and written as fields; default: every step"},
+    Key{"loading", "control", "text", "load | path: where the load fails to rise, follow the path that turns back"},
     Key{"solver", "residual_tolerance", "number", "relative to the forces"},
     Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment"},
     Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already"},

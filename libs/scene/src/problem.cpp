@@ -267,6 +267,7 @@ assembly::StepControls step_controls(const Scene& scene) {
   c.steps = scene.loading.steps;
   c.outputs = scene.loading.outputs;
   c.min_step = scene.solver.min_step;
+  c.control = scene.loading.control;
   c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.min_iterations,
               scene.solver.max_iterations, scene.solver.extrapolate};
   return c;

@@ -199,6 +199,7 @@ void check_boundaries(const Section& root, const std::vector<BoundarySpec>& all)
 LoadingSpec read_loading(const Section& s) {
   LoadingSpec out;
   out.steps = s.integer_or("steps", out.steps, 1, 1000000);
+  if (s.has("control") && s.choice("control", {"load", "path"}) == "path") out.control = assembly::Control::Path;
   if (!s.has("outputs")) return out;
   out.every_step = false;
   out.outputs = s.numbers("outputs", std::nullopt);

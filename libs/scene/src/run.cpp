@@ -211,11 +211,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     try {
       const PhaseTimer timer(seconds.write);
       results.add_step(step, stepper);
-      const auto& wanted = scene.loading.outputs;
-      const bool output = scene.loading.every_step || std::any_of(wanted.begin(), wanted.end(), [&](double l) {
-                            return std::fabs(l - step.load) < 1e-12;
-                          });
-      if (output) results.add_fields(stepper);
+      if (scene.loading.every_step || step.is_output) results.add_fields(stepper);
       keep();
     } catch (const std::runtime_error& error) {
       result = saved;  // what the last checkpoint holds

@@ -23,7 +23,7 @@ StateBetween beyond(const assembly::LoadStepper& stepper) {
   assembly::Assembler assembler(stepper.model());
   assembly::LinearSolver solver(assembly::LoadStepper::factorisation_for(stepper.model()));
   const auto trial =
-      assembly::solve_increment(stepper.model(), stepper.constraints(), state, load, once, assembler, solver, {});
+      assembly::solve_increment(stepper.model(), stepper.constraints(), state, {load}, once, assembler, solver, {});
   return between(state, trial.displacement, load);
 }
 

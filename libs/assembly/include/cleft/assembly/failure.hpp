@@ -6,7 +6,7 @@
 
 namespace cleft::assembly {
 
-enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite };
+enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, Unloaded };
 
 /// Why an increment or a run failed, where, and what a user may try.
 struct Failure {

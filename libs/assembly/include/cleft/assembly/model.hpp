@@ -71,6 +71,15 @@ void for_each_material_point(const Model& model, const Visit& visit) {
   for (const auto& point : model.tip_points) visit(number++, point, point.weight);
 }
 
+/// Gradient of a displacement at a material point; not F - 1, which would round at 1.
+template <class Point>
+Mat2 displacement_gradient(const Point& point, const VecX& displacement) {
+  Mat2 g = Mat2::Zero();
+  for (std::size_t k = 0; k < point.unknown.size(); ++k)
+    g += displacement.segment<2>(2 * point.unknown[k]) * point.gradient[k].transpose();
+  return g;
+}
+
 /// Where a material point is: its triangle, the side of it where that is divided, and its place (of a cell the
 /// triangle's centre; metres).
 struct MaterialPoint {

@@ -31,9 +31,17 @@ struct Iteration {
   double factor_seconds = 0.0, assembly_seconds = 0.0;
 };
 
+/// Where an increment ends: at a load, or, with a stretch, where the path coordinate of the state (State::progress) has
+/// grown by it, at a load that is part of the solution.
+struct Goal {
+  double load = 0.0;
+  double stretch = 0.0;
+};
+
 /// The outcome of an increment. On success the assembler holds forces and contact pairs at `displacement`.
 struct Increment {
   std::optional<Failure> failure;
+  double load = 0.0;
   VecX displacement;
   std::vector<Iteration> iterations;
   Iteration left;  ///< residual after the last correction, with no correction of its own
@@ -41,12 +49,15 @@ struct Increment {
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 
-/// Solves for the load with contact partners, active set and stick or slip found anew in every iteration. `state` is
+/// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
 /// hides the forces.
+///
+/// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
+/// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
-                          double load, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+                          const Goal& goal, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
                           const IterationObserver& observer);
 
 /// How fast an iteration converged.

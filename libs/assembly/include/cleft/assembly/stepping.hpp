@@ -2,14 +2,20 @@
 /// Adaptive load stepping.
 #pragma once
 
+#include <cstdint>
+
 #include "cleft/assembly/newton.hpp"
 
 namespace cleft::assembly {
+
+/// What an increment is a part of: of the load always, or also of the path of solutions, where the load may fall.
+enum class Control : std::uint8_t { Load, Path };
 
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
   double min_step = 1e-4;       ///< smallest increment of the load before the run is given up; at most 0.01 / steps
+  Control control = Control::Load;
   NewtonControls newton;
 };
 
@@ -17,7 +23,8 @@ struct StepControls {
 struct Step {
   int number = 0;  ///< from 1
   double load = 0.0;
-  int cuts = 0;  ///< attempts that failed before it converged
+  bool is_output = false;  ///< at one of the outputs, for the first time
+  int cuts = 0;            ///< attempts that failed before it converged
   std::vector<Iteration> iterations;
   Iteration left;  ///< residual after the last correction, with no correction of its own
 };
@@ -25,11 +32,17 @@ struct Step {
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
 struct StepPlace {
   int number = 0;
-  double step = 0.0;  ///< increment to try next
+  double step = 0.0;      ///< increment of the load to try next
+  double stretch = 0.0;   ///< increment along the path to try next, over the last one; 0: the load's turn
+  double furthest = 0.0;  ///< largest load so far
 };
 
 /// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
 /// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly.
+///
+/// With Control::Path an increment of the load that fails is tried along the path instead, and so are those after it,
+/// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs and load 1
+/// are still hit exactly, each where the load first comes to it. The run ends where the path leads back to load 0.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
@@ -61,7 +74,14 @@ class LoadStepper {
 
  private:
   double next_target() const;
-  void commit(double load, const Increment& increment);
+  double next_output() const;
+  Increment solve(const Goal& goal, const IterationObserver& observer);
+  Increment try_load(const IterationObserver& observer);
+  Increment try_path(const IterationObserver& observer);
+  bool shorten();
+  void lengthen(bool easy);
+  Failure given_up(Failure failure, double load, double size) const;
+  void commit(const Increment& increment);
 
   const Model& model_;
   StepControls controls_;

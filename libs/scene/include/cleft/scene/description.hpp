@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cleft/assembly/stepping.hpp"
 #include "cleft/contact/surfaces.hpp"
 #include "cleft/geometry/mesh.hpp"
 #include "cleft/support/error.hpp"
@@ -103,6 +104,7 @@ struct LoadingSpec {
   int steps = 50;
   std::vector<double> outputs;  ///< ascending loads written as fields; every step if `every_step`
   bool every_step = true;
+  assembly::Control control = assembly::Control::Load;
 };
 
 struct SolverSpec {
