@@ -42,11 +42,11 @@ void print_summary(const scene::RunResult& r, const std::string& directory) {
   if (r.newton_order > 0) fmt::print(", order {:.2f}", r.newton_order);
   const auto& e = r.energies;
   fmt::print(
-      "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + plastic {:.6g} + friction {:.6g} + contact {:.6g} + "
-      "imbalance {:.2g} "
+      "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + plastic {:.6g} + viscous {:.6g} + friction {:.6g} + "
+      "contact {:.6g} + imbalance {:.2g} "
       "({:.4f} %)\n",
-      e.external_work, e.elastic, e.plastic_dissipation, e.friction_dissipation, e.contact, e.imbalance(),
-      e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
+      e.external_work, e.elastic, e.plastic_dissipation, e.viscous_dissipation, e.friction_dissipation, e.contact,
+      e.imbalance(), e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
              r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);
   if (r.contact_microseconds > 0) fmt::print(", {:.2f} us a contact point", r.contact_microseconds);

@@ -143,7 +143,7 @@ bool Assembler::add_point(const Law& law, const VecX& displacement, const Histor
   if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return false;
   const constitutive::Response r = [&] {
     if constexpr (constitutive::PathDependent<Law>)
-      return law.respond(F, history.plastic[number], plastic_[number]);
+      return law.respond(F, history.plastic[number], plastic_[number], history.duration);
     else
       return law.respond(F);
   }();

@@ -29,13 +29,15 @@ double elastic_energy(const Model& model, const VecX& displacement,
       model.material);
 }
 
-double plastic_dissipation(const Model& model, const VecX& displacement, const History& before) {
+constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& displacement, const History& before) {
   return std::visit(
       [&]<class Law>(const Law& law) {
-        double sum = 0.0;
+        constitutive::PlasticWork sum;
         if constexpr (constitutive::PathDependent<Law>)
           for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
-            sum += weight * law.dissipation(point.deformation(displacement), before.plastic[p]);
+            const auto work = law.dissipation(point.deformation(displacement), before.plastic[p], before.duration);
+            sum.plastic += weight * work.plastic;
+            sum.viscous += weight * work.viscous;
           });
         return sum;
       },

@@ -61,6 +61,7 @@ double LoadStepper::next_output() const {
 }
 
 Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {
+  state_.history.duration = goal.stretch > 0.0 ? constitutive::kForever : goal.load - state_.load;
   return solve_increment(model_, constraints_, state_, goal, controls_.newton, assembler_, solver_, observer);
 }
 
@@ -119,7 +120,9 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
                       : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
                                     state_.load, size);
   if (has_memory(model_.material) && controls_.control == Control::Load)
-    failure.advice += "; the body may be at a limit load: loading.control = \"path\" goes beyond it";
+    failure.advice +=
+        "; the body may be at a limit load: loading.control = \"path\" goes beyond it, material.viscosity "
+        "delays flow that localises";
   return failure;
 }
 
@@ -157,7 +160,9 @@ void LoadStepper::commit(const Increment& increment) {
     state_.progress = path_progress(model_, state_, increment.displacement, assembler_.plastic());
   Energies& energies = state_.energies;
   energies.elastic = elastic_energy(model_, increment.displacement, assembler_.plastic());
-  energies.plastic_dissipation += plastic_dissipation(model_, increment.displacement, state_.history);
+  const auto work = plastic_dissipation(model_, increment.displacement, state_.history);
+  energies.plastic_dissipation += work.plastic;
+  energies.viscous_dissipation += work.viscous;
   state_.history.plastic = assembler_.plastic();
   energies.contact = 0.0;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {

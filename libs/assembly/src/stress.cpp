@@ -11,8 +11,8 @@ Stress stress_of(const Material& material, const Mat2& F, const constitutive::Pl
         Mat2 piola;
         double out_of_plane = 0.0;  // tau_33
         if constexpr (constitutive::PathDependent<Law>) {
-          constitutive::PlasticState same;  // the stress is on the yield surface already
-          piola = law.respond(F, remembered, same).piola;
+          constitutive::PlasticState same;  // the stress is on the yield surface, or no time passes to bring it there
+          piola = law.respond(F, remembered, same, 0.0).piola;
           out_of_plane = law.out_of_plane_stress(F, remembered);
         } else {
           piola = law.respond(F).piola;

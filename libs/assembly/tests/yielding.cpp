@@ -27,6 +27,11 @@ struct Kind {
 };
 const Kind kKinds[] = {{"finite", constitutive::FinitePlastic{kCone}},
                        {"small", constitutive::SmallPlastic{kCone}},
+                       {"viscous", constitutive::FinitePlastic{[] {
+                          constitutive::DruckerPrager cone = kCone;
+                          cone.viscosity = 3e7;
+                          return cone;
+                        }()}},
                        {"j2", constitutive::FinitePlastic{constitutive::von_mises(kElastic, 1e9, 5e8)}}};
 
 class Yielding : public testing::TestWithParam<Kind> {
@@ -157,6 +162,29 @@ TEST(Linear, SymmetricFactorisationGoesWithAssociatedFlow) {
   EXPECT_EQ(LoadStepper::factorisation_for(plain(constitutive::FinitePlastic{associated})), Factorisation::Symmetric);
   EXPECT_EQ(LoadStepper::factorisation_for(block_of(constitutive::LinearElastic{kElastic})),
             Factorisation::Unsymmetric);
+}
+
+// Viscosity: no limit load, less flow the faster it is, and a dissipation of its own that closes the balance.
+TEST(Viscosity, DelaysFlowAndDissipates) {
+  double flow_before = 1e300, force_before = 0.0;
+  for (const double viscosity : {0.0, 1e7, 1e8}) {
+    constitutive::DruckerPrager cone = kCone;
+    cone.viscosity = viscosity;
+    const Model model = block_of(constitutive::FinitePlastic{cone});
+    StepControls controls;
+    controls.steps = 100;
+    LoadStepper stepper(model, controls);
+    while (stepper.state().load < 0.3) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+    double flow = 0.0;
+    for (const auto& p : stepper.state().history.plastic) flow = std::max(flow, p.accumulated);
+    const Energies& e = stepper.state().energies;
+    EXPECT_EQ(e.viscous_dissipation > 0.0, viscosity > 0.0);
+    EXPECT_LT(std::abs(e.imbalance()), 2e-3 * e.external_work);
+    EXPECT_LT(flow, flow_before);
+    EXPECT_GT(stepper.reactions()[0].norm(), force_before);
+    flow_before = flow;
+    force_before = stepper.reactions()[0].norm();
+  }
 }
 
 }  // namespace

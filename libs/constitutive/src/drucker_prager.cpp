@@ -6,17 +6,20 @@
 namespace cleft::constitutive {
 namespace {
 
+// What viscosity adds to hardening over a step.
+double drag_of(const DruckerPrager& m, double duration) { return m.viscosity > 0.0 ? m.viscosity / duration : 0.0; }
+
 // Denominators of the two multipliers: the stiffness against which the plastic strain acts.
-double apex_stiffness(const DruckerPrager& m) {
-  return bulk_modulus(m.constants) * m.friction * m.dilatancy + m.hardening;
+double apex_stiffness(const DruckerPrager& m, double drag) {
+  return bulk_modulus(m.constants) * m.friction * m.dilatancy + m.hardening + drag;
 }
-double smooth_stiffness(const DruckerPrager& m) { return 2.0 * m.constants.mu + apex_stiffness(m); }
+double smooth_stiffness(const DruckerPrager& m, double drag) { return 2.0 * m.constants.mu + apex_stiffness(m, drag); }
 
 // The derivative of the smooth return, s = (1 - removed) s_tr; continued flow is removed = 0.
-Moduli smooth_moduli(const DruckerPrager& m, double removed) {
+Moduli smooth_moduli(const DruckerPrager& m, double removed, double drag) {
   const double K = bulk_modulus(m.constants), two_mu = 2.0 * m.constants.mu;
-  const double by_shear = 1.0 / smooth_stiffness(m);  // d dgamma / d|s_tr|
-  const double by_pressure = m.friction * by_shear;   // d dgamma / d p_tr
+  const double by_shear = 1.0 / smooth_stiffness(m, drag);  // d dgamma / d|s_tr|
+  const double by_pressure = m.friction * by_shear;         // d dgamma / d p_tr
   const double mu = m.constants.mu * (1.0 - removed);
   return {.lambda = K * (1.0 - K * m.dilatancy * by_pressure) - 2.0 / 3.0 * mu,
           .mu = mu,
@@ -25,8 +28,8 @@ Moduli smooth_moduli(const DruckerPrager& m, double removed) {
           .n_n = two_mu * (removed - two_mu * by_shear)};
 }
 
-Moduli apex_moduli(const DruckerPrager& m) {
-  return {.lambda = bulk_modulus(m.constants) * m.hardening / apex_stiffness(m)};
+Moduli apex_moduli(const DruckerPrager& m, double drag) {
+  return {.lambda = bulk_modulus(m.constants) * (m.hardening + drag) / apex_stiffness(m, drag)};
 }
 
 }  // namespace
@@ -47,24 +50,25 @@ double yield_function(const DruckerPrager& m, double pressure, double shear, dou
   return shear + m.friction * pressure - (m.cohesion + m.hardening * accumulated);
 }
 
-Return return_to_cone(const DruckerPrager& m, double pressure, double shear, double accumulated) {
+Return return_to_cone(const DruckerPrager& m, double pressure, double shear, double accumulated, double duration) {
   Return out;
+  const double drag = drag_of(m, duration);
   const double excess = yield_function(m, pressure, shear, accumulated);
-  if (!(excess > 0.0)) {
+  if (!(excess > 0.0) || std::isinf(drag)) {
     out.pressure = pressure;
     out.moduli = {.lambda = m.constants.lambda, .mu = m.constants.mu};
     return out;
   }
   out.branch = Branch::Smooth;
-  out.multiplier = excess / smooth_stiffness(m);
+  out.multiplier = excess / smooth_stiffness(m, drag);
   if (2.0 * m.constants.mu * out.multiplier <= shear) {
     out.removed = 2.0 * m.constants.mu * out.multiplier / shear;
-    out.moduli = smooth_moduli(m, out.removed);
+    out.moduli = smooth_moduli(m, out.removed, drag);
   } else {
     out.branch = Branch::Apex;
-    out.multiplier = yield_function(m, pressure, 0.0, accumulated) / apex_stiffness(m);
+    out.multiplier = yield_function(m, pressure, 0.0, accumulated) / apex_stiffness(m, drag);
     out.removed = 1.0;
-    out.moduli = apex_moduli(m);
+    out.moduli = apex_moduli(m, drag);
   }
   out.pressure = pressure - bulk_modulus(m.constants) * m.dilatancy * out.multiplier;
   return out;
@@ -73,20 +77,20 @@ Return return_to_cone(const DruckerPrager& m, double pressure, double shear, dou
 Moduli continuum_moduli(const DruckerPrager& m, Branch branch) {
   switch (branch) {
     case Branch::Smooth:
-      return smooth_moduli(m, 0.0);
+      return smooth_moduli(m, 0.0, 0.0);
     case Branch::Apex:
-      return apex_moduli(m);
+      return apex_moduli(m, 0.0);
     case Branch::Elastic:
       break;
   }
   return {.lambda = m.constants.lambda, .mu = m.constants.mu};
 }
 
-PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain, double accumulated) {
+PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain, double accumulated, double duration) {
   const PlaneTensor shape = deviator(trial_strain);
   const double size = std::sqrt(contract(shape, shape)), two_mu = 2.0 * m.constants.mu;
   PlasticStep out;
-  out.map = return_to_cone(m, bulk_modulus(m.constants) * trace(trial_strain), two_mu * size, accumulated);
+  out.map = return_to_cone(m, bulk_modulus(m.constants) * trace(trial_strain), two_mu * size, accumulated, duration);
   if (size > 0.0) out.direction = (1.0 / size) * shape;
   if (out.map.branch == Branch::Elastic) {
     out.stress = elastic_stress(m.constants, trial_strain);
@@ -95,7 +99,9 @@ PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain
   const double kept = 1.0 - out.map.removed;
   out.stress = plus_identity((two_mu * kept) * shape, out.map.pressure);
   out.plastic_strain = plus_identity(out.map.removed * shape, m.dilatancy * out.map.multiplier / 3.0);
-  out.plastic_work = out.map.multiplier * (two_mu * kept * size + m.dilatancy * out.map.pressure);
+  const double overstress = drag_of(m, duration) * out.map.multiplier;
+  out.work.viscous = overstress * out.map.multiplier;
+  out.work.plastic = out.map.multiplier * (two_mu * kept * size + m.dilatancy * out.map.pressure) - out.work.viscous;
   return out;
 }
 
@@ -106,7 +112,7 @@ Branch branch_of(const DruckerPrager& m, const PlaneTensor& stress, double accum
   const double strength = m.cohesion + m.hardening * accumulated;
   const double tolerance = std::max(1e-9 * std::max({strength, shear, std::abs(m.friction * pressure)}),
                                     1e-14 * uniaxial_strain_modulus(m.constants));
-  if (!(std::abs(yield_function(m, pressure, shear, accumulated)) <= tolerance)) return Branch::Elastic;
+  if (!(yield_function(m, pressure, shear, accumulated) >= -tolerance)) return Branch::Elastic;
   return shear <= tolerance ? Branch::Apex : Branch::Smooth;
 }
 

@@ -86,9 +86,10 @@ Mat4 pull_back(const Mat4& c, const Mat2& F_inverse) {
 
 }  // namespace
 
-Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const {
+Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
+                                double duration) const {
   const ElasticDeformation trial = elastic_deformation(deformation, committed);
-  const PlasticStep step = plastic_step(*this, trial.strain, committed.accumulated);
+  const PlasticStep step = plastic_step(*this, trial.strain, committed.accumulated, duration);
   const Mat2 F_inverse = inverse(deformation), tau = in_plane(step.stress);
   updated = committed;
   if (step.map.branch != Branch::Elastic) {
@@ -103,9 +104,9 @@ double FinitePlastic::energy(const Mat2& deformation, const PlasticState& update
   return elastic_energy(constants, elastic_deformation(deformation, updated).strain);
 }
 
-double FinitePlastic::dissipation(const Mat2& deformation, const PlasticState& committed) const {
+PlasticWork FinitePlastic::dissipation(const Mat2& deformation, const PlasticState& committed, double duration) const {
   const PlaneTensor trial = elastic_deformation(deformation, committed).strain;
-  return plastic_step(*this, trial, committed.accumulated).plastic_work;
+  return plastic_step(*this, trial, committed.accumulated, duration).work;
 }
 
 double FinitePlastic::out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const {

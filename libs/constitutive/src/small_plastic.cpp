@@ -13,8 +13,9 @@ PlaneTensor elastic_strain(const Mat2& F, const PlasticState& state) {
 
 }  // namespace
 
-Response SmallPlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const {
-  const PlasticStep step = plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated);
+Response SmallPlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
+                               double duration) const {
+  const PlasticStep step = plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated, duration);
   updated = committed;
   if (step.map.branch != Branch::Elastic) {
     const PlaneTensor& increment = step.plastic_strain;
@@ -31,8 +32,8 @@ double SmallPlastic::energy(const Mat2& deformation, const PlasticState& updated
   return elastic_energy(constants, elastic_strain(deformation, updated));
 }
 
-double SmallPlastic::dissipation(const Mat2& deformation, const PlasticState& committed) const {
-  return plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated).plastic_work;
+PlasticWork SmallPlastic::dissipation(const Mat2& deformation, const PlasticState& committed, double duration) const {
+  return plastic_step(*this, elastic_strain(deformation, committed), committed.accumulated, duration).work;
 }
 
 double SmallPlastic::out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const {

@@ -90,8 +90,38 @@ TEST(ReturnMap, ObeysTheElasticLawAndTheFlowRule) {
     } else {
       ASSERT_LE(norm(shape), multiplier * (1 + 1e-14));  // in the cone of normals of the apex
     }
-    ASSERT_NEAR(step.plastic_work, contract(step.stress, plastic), 1e-14 * size * stress_size);
-    ASSERT_GE(step.plastic_work, -1e-15 * size * stress_size);
+    ASSERT_NEAR(step.work.plastic, contract(step.stress, plastic), 1e-14 * size * stress_size);
+    ASSERT_GE(step.work.plastic, -1e-15 * size * stress_size);
+  }
+}
+
+TEST(ReturnMap, LeavesTheConeByTheViscosityTimesTheRate) {
+  std::mt19937 random(5);
+  std::array<int, 3> visits{};
+  for (auto [m, strain, accumulated] : trials(100000)) {
+    m.viscosity = m.constants.mu * std::pow(10.0, between(random, -3, 1));
+    const double duration = std::pow(10.0, between(random, -3, 1)), drag = m.viscosity / duration;
+    const PlasticStep step = plastic_step(m, strain, accumulated, duration);
+    const double gamma = step.map.multiplier, size = m.cohesion + norm(elastic_stress(m.constants, strain));
+    const double f = yield_function(m, trace(step.stress) / 3.0, norm(deviator(step.stress)), accumulated + gamma);
+    ++visits[static_cast<std::size_t>(step.map.branch)];
+    if (step.map.branch == Branch::Elastic) continue;
+    ASSERT_NEAR(f, drag * gamma, 1e-14 * size);
+    ASSERT_NEAR(step.work.viscous, f * gamma, 1e-14 * size * gamma);
+    ASSERT_NEAR(step.work.plastic + step.work.viscous, contract(step.stress, step.plastic_strain),
+                1e-14 * size * norm(strain));
+  }
+  for (const int count : visits) EXPECT_GT(count, 5000);
+}
+
+TEST(ReturnMap, ViscousStepWithoutDurationIsElastic) {
+  DruckerPrager m{lame(1e4, 0.25), 600.0, 0.8, 0.7, 0.0};
+  m.viscosity = 1.0;
+  for (const auto& strain : {plane_tensor(0.5, -0.4, 0.2, 0.0), plane_tensor(0.5, 0.5, 0.0, 0.5)}) {
+    EXPECT_EQ(plastic_step(m, strain, 0.0).map.branch == Branch::Elastic, false);
+    const PlasticStep step = plastic_step(m, strain, 0.0, 0.0);
+    EXPECT_EQ(step.map.branch, Branch::Elastic);
+    EXPECT_EQ(step.stress.centre, elastic_stress(m.constants, strain).centre);
   }
 }
 

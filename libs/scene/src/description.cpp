@@ -59,6 +59,7 @@ Json material(const MaterialSpec& m) {
   if (m.model == "drucker-prager")
     j.update(
         {{"cohesion", m.cohesion}, {"friction", m.friction}, {"dilatancy", m.dilatancy}, {"hardening", m.hardening}});
+  if (is_plastic(m)) j["viscosity"] = m.viscosity;
   return j;
 }
 

@@ -34,6 +34,7 @@ constexpr std::array kKeys = {
     Key{"material", "friction", "number", "of drucker-prager, beta"},
     Key{"material", "dilatancy", "number", "of drucker-prager, b"},
     Key{"material", "hardening", "number", "Pa: uniaxial modulus of j2, d alpha/d gamma of drucker-prager"},
+    Key{"material", "viscosity", "number", "Pa: stress beyond yield per plastic multiplier and unit of the load"},
     Key{"formulation", "kinematics", "text", "finite | small"},
     Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
     Key{"crack", "name", "text", "names its result file"},

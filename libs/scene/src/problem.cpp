@@ -67,7 +67,8 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
 assembly::Material material_of(const MaterialSpec& spec, Kinematics kinematics) {
   const bool small = kinematics == Kinematics::Small;
   const auto constants = constitutive::lame(spec.young, spec.poisson);
-  const auto plastic = [small](const constitutive::DruckerPrager& law) -> assembly::Material {
+  const auto plastic = [&](constitutive::DruckerPrager law) -> assembly::Material {
+    law.viscosity = spec.viscosity;
     if (small) return constitutive::SmallPlastic{law};
     return constitutive::FinitePlastic{law};
   };

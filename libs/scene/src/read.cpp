@@ -70,7 +70,8 @@ MaterialSpec read_material(const Section& s) {
                                      {"cohesion", cone},
                                      {"friction", cone},
                                      {"dilatancy", cone},
-                                     {"hardening", j2 || cone}})
+                                     {"hardening", j2 || cone},
+                                     {"viscosity", j2 || cone}})
     if (s.has(key) && !belongs) s.fail(key, fmt::format("is none of model = \"{}\"", out.model));
   if (j2) out.yield_stress = s.number("yield_stress", kPositive, "a positive number, Pa");
   if (cone) {
@@ -79,6 +80,7 @@ MaterialSpec read_material(const Section& s) {
     out.dilatancy = s.number("dilatancy", kNotNegative, "0 or greater");
   }
   if (j2 || cone) out.hardening = s.number_or("hardening", 0.0, kNotNegative, "0 or greater, Pa");
+  if (j2 || cone) out.viscosity = s.number_or("viscosity", 0.0, kNotNegative, "0 or greater, Pa");
   if (cone && !constitutive::always_returns({constitutive::lame(out.young, out.poisson), out.cohesion, out.friction,
                                              out.dilatancy, out.hardening}))
     s.fail("dilatancy", "0 leaves no return to the apex of a cone; allowed: greater than 0 where friction is");
@@ -270,7 +272,11 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
     if (is_plastic(out.material))
       s->fail("solution", "the fields are those of elastic bodies; allowed with hencky and neo-hookean only");
   }
-  if (const auto s = root.section("loading", "loading")) out.loading = read_loading(*s);
+  if (const auto s = root.section("loading", "loading")) {
+    out.loading = read_loading(*s);
+    if (out.loading.control == assembly::Control::Path && out.material.viscosity > 0.0)
+      s->fail("control", "a path has no time for viscosity; allowed with viscosity: load");
+  }
   if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);
   return out;
 }

@@ -93,9 +93,9 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
     pressure = std::max(pressure, q.pressure);
   }
   const PlasticExtremes extremes = plastic_extremes(model_, stepper.state());
-  row += fmt::format(",{},{},{},0,{},{},{},{},{},{},{},{}", e.elastic, e.contact, e.plastic_dissipation,
-                     e.friction_dissipation, e.external_work, touching, slipping, slip, gap, pressure,
-                     extremes.largest_strain);
+  row += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", e.elastic, e.contact, e.plastic_dissipation,
+                     e.viscous_dissipation, e.friction_dissipation, e.external_work, touching, slipping, slip, gap,
+                     pressure, extremes.largest_strain);
   if (assembly::has_memory(model_.material)) row += fmt::format(",{}", extremes.least_localisation);
   for (std::size_t k = 0; k < scene_.cracks.size(); ++k)
     if (scene_.cracks[k].intensities)

@@ -34,13 +34,14 @@ std::optional<assembly::Failure> visit_between(assembly::LoadStepper& stepper, i
   int visited = 0;  // of the loads (k + 1/2) / states
   const auto next = [&] { return (visited + 0.5) / states; };
   while (!stepper.done() && visited < states) {
-    const assembly::State before = stepper.state();
+    assembly::State before = stepper.state();
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
       visit(beyond(stepper));
       return *failure;
     }
     const assembly::State& after = stepper.state();
+    before.history.duration = after.load - before.load;
     if (after.load < next()) continue;
     while (next() <= after.load) ++visited;
     if (!visit(between(before, after.displacement, after.load))) break;

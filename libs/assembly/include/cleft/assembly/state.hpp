@@ -12,9 +12,12 @@ struct Energies {
   double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
   double friction_dissipation = 0.0;  ///< cumulative work of the contact tractions that is not stored
   double plastic_dissipation = 0.0;   ///< cumulative plastic work, that of hardening included
+  double viscous_dissipation = 0.0;   ///< cumulative, of the stress beyond yield
   double external_work = 0.0;         ///< cumulative
   /// What the other entries leave unexplained; falls with the size of the increments.
-  double imbalance() const { return external_work - elastic - contact - friction_dissipation - plastic_dissipation; }
+  double imbalance() const {
+    return external_work - elastic - contact - friction_dissipation - plastic_dissipation - viscous_dissipation;
+  }
 };
 
 /// What forces depend on besides the displacement: the past, as it was when the last increment had converged.
@@ -22,6 +25,7 @@ struct History {
   std::vector<contact::Memory> contact;               ///< per contact point
   double deepest = 0.0;                               ///< largest penetration so far, metres
   std::vector<constitutive::PlasticState> plastic{};  ///< per material point; empty if the material has no memory
+  double duration = constitutive::kForever;           ///< of the increment under way, in units of the load
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
@@ -46,6 +50,6 @@ double elastic_energy(const Model& model, const VecX& displacement,
                       const std::vector<constitutive::PlasticState>& plastic);
 
 /// Plastic work, J/m, of an increment that ends at given displacements.
-double plastic_dissipation(const Model& model, const VecX& displacement, const History& before);
+constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& displacement, const History& before);
 
 }  // namespace cleft::assembly

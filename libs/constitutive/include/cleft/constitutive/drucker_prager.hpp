@@ -21,7 +21,12 @@
 ///     beta (p_tr - K b dgamma) = alpha + H dgamma,   i.e.   dgamma = (beta p_tr - alpha)/(K beta b + H),
 ///
 /// and agrees with the smooth one where the two regions of the trial stress meet (|s_tr| = 2 mu dgamma there).
+///
+/// Viscosity after Perzyna lets the stress leave the cone by a measure of the rate of flow, f = viscosity dgamma/dt.
+/// Over a step of the duration dt it joins H in the denominators of both multipliers as viscosity/dt.
 #pragma once
+
+#include <limits>
 
 #include "cleft/constitutive/elastic.hpp"
 #include "cleft/constitutive/plane_tensor.hpp"
@@ -34,7 +39,11 @@ struct DruckerPrager {
   double friction = 0.0;   ///< beta, not negative; 0 is J2
   double dilatancy = 0.0;  ///< b
   double hardening = 0.0;  ///< H = d alpha/d gamma, Pa
+  double viscosity = 0.0;  ///< Pa times the unit of time
 };
+
+/// A duration that no viscosity notices.
+inline constexpr double kForever = std::numeric_limits<double>::infinity();
 
 /// J2 plasticity: uniaxial yield stress sigma_y and uniaxial hardening modulus d sigma_y / d(equivalent plastic
 /// strain), both in Pa. alpha = sqrt(2/3) sigma_y, and since the equivalent plastic strain is sqrt(2/3) gamma, H is two
@@ -68,10 +77,18 @@ struct Return {
 };
 
 /// The return map. `pressure` is p_tr, `shear` is |s_tr|, `accumulated` the gamma at the begin of the step.
-Return return_to_cone(const DruckerPrager& material, double pressure, double shear, double accumulated);
+Return return_to_cone(const DruckerPrager& material, double pressure, double shear, double accumulated,
+                      double duration = kForever);
 
 /// Moduli of continued flow, the limit of small steps: at a stress on the cone, or on its apex.
 Moduli continuum_moduli(const DruckerPrager& material, Branch branch);
+
+/// What a step dissipates per unit reference volume, J/m^3: stress times plastic strain increment, dgamma (|s| + b p),
+/// in two parts.
+struct PlasticWork {
+  double plastic = 0.0;  ///< that of a stress on the cone
+  double viscous = 0.0;  ///< that of the distance from it, viscosity/dt dgamma^2
+};
 
 /// The return of a tensor.
 struct PlasticStep {
@@ -79,12 +96,13 @@ struct PlasticStep {
   PlaneTensor stress;          ///< Pa
   PlaneTensor plastic_strain;  ///< increment of the step; zero if elastic
   PlaneTensor direction;       ///< n of the moduli; zero for a hydrostatic trial stress
-  double plastic_work = 0.0;   ///< stress : plastic strain increment = dgamma (|s| + b p), J/m^3
+  PlasticWork work;
 };
-PlasticStep plastic_step(const DruckerPrager& material, const PlaneTensor& trial_strain, double accumulated);
+PlasticStep plastic_step(const DruckerPrager& material, const PlaneTensor& trial_strain, double accumulated,
+                         double duration = kForever);
 
-/// Which branch a stress at rest belongs to: smooth or apex if it is on the cone to 1e-9 of the largest term of the
-/// yield function (or to the rounding of strains of order one) and has flowed before, else elastic.
+/// Which branch a stress at rest belongs to: smooth or apex if it has flowed before and is on the cone, to 1e-9 of the
+/// largest term of the yield function (or to the rounding of strains of order one), or beyond it; else elastic.
 Branch branch_of(const DruckerPrager& material, const PlaneTensor& stress, double accumulated);
 
 /// lambda tr(e) 1 + 2 mu e, Pa.

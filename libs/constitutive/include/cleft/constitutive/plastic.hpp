@@ -38,14 +38,15 @@ struct ContinuumTangent {
 struct FinitePlastic : DruckerPrager {
   /// First Piola-Kirchhoff stress and algorithmic tangent dP/dF after a step from `committed` to F; `updated` is the
   /// state at its end, which is `committed` itself if the step is elastic.
-  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const;
+  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
+                   double duration = kForever) const;
 
   /// Stored energy of the elastic strain per unit reference volume, J/m^3, at F with the state of the end of the step.
   /// What hardening consumes counts as dissipated.
   double energy(const Mat2& deformation, const PlasticState& updated) const;
 
-  /// Plastic work of the step to F, stress at its end times plastic strain increment, per unit reference volume, J/m^3.
-  double dissipation(const Mat2& deformation, const PlasticState& committed) const;
+  /// Plastic work of the step to F, with the stress at its end.
+  PlasticWork dissipation(const Mat2& deformation, const PlasticState& committed, double duration = kForever) const;
 
   /// tau_33 at F with the state of the end of the step, Pa.
   double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
@@ -57,9 +58,10 @@ struct FinitePlastic : DruckerPrager {
 /// Small strain, eps = sym(F) - 1. History is the plastic strain; `piola` is the Cauchy stress, and its tangent has
 /// both minor symmetries. The members are those of FinitePlastic.
 struct SmallPlastic : DruckerPrager {
-  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated) const;
+  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
+                   double duration = kForever) const;
   double energy(const Mat2& deformation, const PlasticState& updated) const;
-  double dissipation(const Mat2& deformation, const PlasticState& committed) const;
+  PlasticWork dissipation(const Mat2& deformation, const PlasticState& committed, double duration = kForever) const;
   double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
   ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
 };

@@ -34,6 +34,7 @@ struct MaterialSpec {
   double yield_stress = 0.0;                               ///< of j2, uniaxial, Pa
   double cohesion = 0.0, friction = 0.0, dilatancy = 0.0;  ///< of drucker-prager: alpha (Pa), beta, b
   double hardening = 0.0;  ///< Pa; of j2 the uniaxial modulus, of drucker-prager d alpha/d gamma
+  double viscosity = 0.0;  ///< Pa, with the load as the time: stress beyond yield per rate of the multiplier
 };
 
 /// Whether the material flows.

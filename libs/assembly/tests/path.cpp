@@ -1,0 +1,139 @@
+// Limit points: the path of solutions beyond them, and back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cleft/assembly/stepping.hpp"
+#include "small_models.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+constexpr double kYoung = 1.0e4, kPoisson = 0.25, kTraction = 5000.0;
+
+Prescribed hold_component(const Model& m, const std::string& on, int component) {
+  Prescribed p{on,
+               geometry::boundary_nodes(m.mesh, on),
+               {component == 0, component == 1},
+               [](const Vec2&, geometry::MaybeSide, double) { return Vec2(Vec2::Zero()); }};
+  return p;
+}
+
+// A bar of unit length under a dead traction at its end: P = E/(1 - nu^2) ln l / l, which is largest at l = e.
+Model bar() {
+  Model m;
+  m.mesh = geometry::structured_mesh({0, 0, 0.5, 1.0}, {2, 3}, geometry::Diagonal::Right);
+  models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, kYoung);
+  m.material = constitutive::Hencky{constitutive::lame(kYoung, kPoisson)};
+  m.prescribed = {hold_component(m, "bottom", 1), hold_component(m, "left", 0)};
+  VecX force = VecX::Zero(m.unknowns.components());
+  for (const auto& [i, j] : m.mesh.boundaries.at("top")) {
+    const double half = 0.5 * (m.mesh.nodes[i] - m.mesh.nodes[j]).norm();
+    force[2 * i + 1] += half * kTraction;
+    force[2 * j + 1] += half * kTraction;
+  }
+  m.dead_loads.push_back([force](double load) -> VecX { return load * force; });
+  return m;
+}
+
+double nominal_stress(double stretch) { return kYoung / (1.0 - kPoisson * kPoisson) * std::log(stretch) / stretch; }
+
+double stretch_of(const Model& m, const State& s) {
+  return 1.0 + s.displacement[2 * geometry::boundary_nodes(m.mesh, "top").front() + 1];
+}
+
+StepControls along_path(int steps) {
+  StepControls c;
+  c.steps = steps;
+  c.control = Control::Path;
+  return c;
+}
+
+TEST(Path, PassesTheLimitLoadOfABar) {
+  const Model model = bar();
+  LoadStepper stepper(model, along_path(20));
+  const double limit = nominal_stress(std::numbers::e) / kTraction;  // 0.785
+  double highest = 0.0;
+  int falling = 0;
+  while (stretch_of(model, stepper.state()) < 8.0) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    const State& s = stepper.state();
+    EXPECT_NEAR(s.load, nominal_stress(stretch_of(model, s)) / kTraction, 1e-7);
+    highest = std::max(highest, s.load);
+    falling += s.load < s.previous_load;
+    ASSERT_LT(std::get<Step>(outcome).number, 200);
+  }
+  EXPECT_LE(highest, limit * (1 + 1e-7));
+  EXPECT_GT(highest, 0.99 * limit);
+  EXPECT_GT(falling, 5);
+  EXPECT_LT(stepper.state().load, 0.65);
+}
+
+TEST(Path, LoadControlStopsAtTheLimitLoadOfABar) {
+  const Model model = bar();
+  StepControls controls = along_path(20);
+  controls.control = Control::Load;
+  LoadStepper stepper(model, controls);
+  for (int k = 0; k < 100; ++k)
+    if (std::holds_alternative<Failure>(stepper.advance())) break;
+  EXPECT_NEAR(stepper.state().load, nominal_stress(std::numbers::e) / kTraction, 1e-3);
+}
+
+// Where the load can rise, a run that may follow its path is that of load control, to the last bit.
+TEST(Path, CostsNothingWhereTheLoadRises) {
+  const Model model = models::block(8, contact::NegativeSide::Left);
+  StepControls controls = along_path(10);
+  LoadStepper by_path(model, controls);
+  controls.control = Control::Load;
+  LoadStepper by_load(model, controls);
+  for (int k = 0; k < 4; ++k) {
+    ASSERT_TRUE(std::holds_alternative<Step>(by_load.advance()));
+    ASSERT_TRUE(std::holds_alternative<Step>(by_path.advance()));
+  }
+  EXPECT_EQ(by_load.state().load, by_path.state().load);
+  EXPECT_EQ(by_load.state().displacement, by_path.state().displacement);
+  EXPECT_EQ(by_load.state().progress.size(), 0);
+}
+
+// The coordinate of the path grows by one in the increment that defines it.
+TEST(Path, CoordinateIsThatOfTheLastIncrement) {
+  Model model = models::block(8, contact::NegativeSide::Left);
+  const constitutive::DruckerPrager cone{constitutive::lame(1e10, 0.25), 8e8, 0.8, 0.7, 0.0};
+  model.material = constitutive::FinitePlastic{cone};
+  LoadStepper stepper(model, along_path(20));
+  for (int k = 0; k < 8; ++k) {
+    ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+    const State& s = stepper.state();
+    EXPECT_NEAR(s.progress.dot(s.displacement - s.previous_displacement), 1.0, 1e-12);
+  }
+}
+
+// Snap-back: both the load and the displacement at the boundary fall, and rise again.
+TEST(Path, FollowsAYieldingBlockBackAndHitsItsOutputs) {
+  Model model = models::block(32, contact::NegativeSide::Left);
+  const constitutive::DruckerPrager cone{constitutive::lame(1e10, 0.25), 1.5e9, 0.8, 0.7, 0.0};
+  model.material = constitutive::FinitePlastic{cone};
+  StepControls controls = along_path(50);
+  controls.outputs = {0.25, 0.53, 0.5501};
+  LoadStepper stepper(model, controls);
+  std::vector<double> outputs;
+  int falling = 0;
+  while (stepper.state().load < 0.56) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    const auto& step = std::get<Step>(outcome);
+    ASSERT_LT(step.number, 100);
+    if (step.is_output) outputs.push_back(step.load);
+    falling += step.load < stepper.state().previous_load;
+    EXPECT_LE(step.left.residual, 1e-8);
+  }
+  EXPECT_EQ(outputs, controls.outputs);
+  EXPECT_GE(falling, 3);
+  const Energies& e = stepper.state().energies;
+  EXPECT_NEAR(e.imbalance(), 0.0, 0.01 * e.external_work);
+}
+
+}  // namespace
+}  // namespace cleft::assembly
