@@ -15,7 +15,7 @@ struct Options {
 
 void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, value); }
 
-std::string switched_on(const assembly::Model& model) {
+std::string switched_on(const scene::Scene& scene, const assembly::Model& model) {
   const bool small = assembly::is_small_strain(model.material);
   std::string out = "plain finite elements";
   if (model.has_contact())
@@ -23,6 +23,8 @@ std::string switched_on(const assembly::Model& model) {
                 : "cutting, enrichment, contact search, friction";
   if (!model.tip_points.empty()) out += ", branch functions";
   if (assembly::has_memory(model.material)) out += ", plastic history";
+  if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
+  if (scene.material.viscosity > 0.0) out += ", viscous flow";
   return out;
 }
 
@@ -58,7 +60,7 @@ int check(const Options& options) {
   const bool small = scene.kinematics == scene::Kinematics::Small;
   print("kinematics", small ? "small" : "finite");
   print("material", scene.material.model);
-  print("switched on", switched_on(model));
+  print("switched on", switched_on(scene, model));
   const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
   print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (UMFPACK)",
                                      model.is_linear() ? ", one for all loads" : ""));

@@ -42,6 +42,53 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
+// A bar under a dead traction beyond what it bears: the load rises, turns and falls.
+TEST(Run, ResumesAlongAPathBitForBit) {
+  const Folder folder;
+  const Scene scene = scene_of(R"(
+[mesh]
+box = [0.0, 0.0, 0.5, 1.0]
+cells = [2, 3]
+[material]
+model = "hencky"
+young = 1.0e4
+poisson = 0.25
+[[boundary]]
+on = "bottom"
+uy = 0.0
+[[boundary]]
+on = "left"
+ux = 0.0
+[[traction]]
+on = "top"
+value = [0.0, 5000.0]
+[loading]
+steps = 10
+control = "path"
+)");
+  constexpr int kLast = 30;
+  std::atomic<bool> stop = false;
+  const auto in_parts_of = [&](int increments, const std::string& directory) {
+    RunOptions options = into(directory);
+    options.stop = &stop;
+    options.observer = [&](const Progress& p) { stop = p.iteration == 0 && p.increment % increments == 0; };
+    RunResult result;
+    do {
+      stop = false;
+      result = run(scene, options);
+      options.resume = true;
+    } while (result.end == RunResult::End::Stopped && result.increments < kLast);
+    ASSERT_EQ(result.increments, kLast);
+  };
+  ASSERT_NO_FATAL_FAILURE(in_parts_of(kLast, folder / "whole"));
+  ASSERT_NO_FATAL_FAILURE(in_parts_of(3, folder / "parts"));
+  const CsvTable history = read_csv(folder / "whole" + "/history.csv");
+  const auto load = history.column("load");
+  EXPECT_LT(load.back(), 0.9 * *std::max_element(load.begin(), load.end()));
+  for (const char* file : {"history.csv", "fields.pvd"})
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
+}
+
 TEST(Run, RefusesACheckpointOfAnotherSceneOrADamagedOne) {
   const Folder folder;
   const std::string out = folder / "run";
