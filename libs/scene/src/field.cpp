@@ -20,6 +20,7 @@ constexpr std::array kFields{
     Registered{"mode-I", mode_one, FieldLoads::None, true},
     Registered{"mode-II", mode_two, FieldLoads::None, true},
     Registered{"closed-crack", closed_crack, FieldLoads::None, true},
+    Registered{"open-crack", open_crack, FieldLoads::None, true},
     Registered{"waves", waves, FieldLoads::Body, false},
     Registered{"parted-waves", parted_waves, FieldLoads::BodyAndFaces, true},
 };

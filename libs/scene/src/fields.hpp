@@ -25,6 +25,7 @@ struct Frame {
 Field mode_one(const FieldSpec& spec, const constitutive::Lame& constants);
 Field mode_two(const FieldSpec& spec, const constitutive::Lame& constants);
 Field closed_crack(const FieldSpec& spec, const constitutive::Lame& constants);
+Field open_crack(const FieldSpec& spec, const constitutive::Lame& constants);
 Field waves(const FieldSpec& spec, const constitutive::Lame& constants);
 Field parted_waves(const FieldSpec& spec, const constitutive::Lame& constants);
 

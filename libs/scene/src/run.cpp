@@ -96,8 +96,16 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
                   {"factorise", solver.factorise},
                   {"solve", solver.solve},
                   {"write", seconds.write}};
+  j["assemblies"] = assembly.assemblies;
   j["factorisations"] = solver.factorisations;
   j["analyses"] = solver.analyses;
+  j["linear"] = model.is_linear();
+  const auto& history = stepper.state().history;
+  j["history"] = {{"contact", history.contact.size()},
+                  {"plastic", history.plastic.size()},
+                  {"bytes", history.contact.size() * sizeof(contact::Memory) +
+                                history.plastic.size() * sizeof(constitutive::PlasticState)}};
+  j["current_faces"] = stepper.face_positions().start.size();
   j["yardstick_seconds"] = result.yardstick;
   j["microseconds"] = {{"cell", result.bulk_microseconds}, {"contact_point", result.contact_microseconds}};
   j["peak_megabytes"] = result.peak_megabytes;

@@ -135,6 +135,63 @@ TEST(ClosedCrackField, RefusesWhatIsNoClosedCrack) {
   }
 }
 
+// The same crack, pulled open.
+const std::map<std::string, double> kOpened{{"center_x", 0.2}, {"center_y", 0.1}, {"angle", 30.0}, {"half_length", 0.7},
+                                            {"sigma_n", 3e6},  {"tau", -2e6},     {"sigma_t", 1e6}};
+
+TEST(OpenCrackField, OpensAndSlidesByTheEllipseOfTheRemoteTraction) {
+  for (const double x : {-0.69, -0.2, 0.0, 0.5})
+    for (const double off : {0.0, 1e-16, -1e-16}) {
+      const Field f = field("open-crack", kOpened);
+      const double jump = 4.0 * (1.0 - kPoisson * kPoisson) / kYoung * std::sqrt(0.49 - x * x);
+      const Vec2 X = on_crack(x) + off * kLeft, exact = jump * (3e6 * kLeft - 2e6 * kAlong);
+      EXPECT_LT((f(X, Side::Left) - f(X, Side::Right) - exact).norm(), 1e-12 * exact.norm());
+    }
+}
+
+TEST(OpenCrackField, HasFacesFreeOfTraction) {
+  for (const auto side : {Side::Left, Side::Right})
+    for (const double x : {-0.4, 0.0, 0.3}) {
+      const Mat2 s = stress(field("open-crack", kOpened), on_crack(x), side, 1e-3);
+      EXPECT_LT((s * kLeft).norm(), 1e-6 * 3e6) << x;
+    }
+}
+
+TEST(OpenCrackField, SolvesLinearElasticityOnEachSideBeyondItAndAheadOfItsTips) {
+  const Field f = field("open-crack", kOpened);
+  for (const MaybeSide side : {MaybeSide{}, MaybeSide{Side::Left}, MaybeSide{Side::Right}})
+    for (const double height : {0.3, -0.3})
+      for (const double x : {-1.3, -0.4, 0.2, 1.1})
+        EXPECT_LT(divergence(f, on_crack(x) + height * kLeft, side).norm(), 1e-4 * 3e6) << x << " " << height;
+}
+
+TEST(OpenCrackField, HasTheRemoteStressFarAway) {
+  for (const Vec2& X : {Vec2(300, 0), Vec2(-200, 200), Vec2(0, -300)}) {
+    const Mat2 s = stress(field("open-crack", kOpened), X, {}, 1e-3 * X.norm());
+    EXPECT_NEAR(kLeft.dot(s * kLeft), 3e6, 1e-5 * 3e6);
+    EXPECT_NEAR(kAlong.dot(s * kLeft), -2e6, 1e-5 * 3e6);
+    EXPECT_NEAR(kAlong.dot(s * kAlong), 1e6, 1e-5 * 3e6);
+  }
+}
+
+// sqrt(2 pi r) times the stress ahead of a tip is K up to terms of r / a.
+TEST(OpenCrackField, HasItsStressIntensityAheadOfBothTips) {
+  const double r = 1e-4, root = std::sqrt(2.0 * std::numbers::pi * r), unit = std::sqrt(std::numbers::pi * 0.7);
+  for (const double end : {-1.0, 1.0}) {
+    const Mat2 s = stress(field("open-crack", kOpened), on_crack(end * (0.7 + r)), {}, 1e-3 * r);
+    EXPECT_NEAR(root * kLeft.dot(s * kLeft), 3e6 * unit, 1e-3 * 3e6 * unit);
+    EXPECT_NEAR(root * kAlong.dot(s * kLeft), -2e6 * unit, 1e-3 * 3e6 * unit);
+  }
+}
+
+TEST(OpenCrackField, RefusesACrackThatDoesNotOpen) {
+  for (const auto& [key, value] : {std::pair{"sigma_n", 0.0}, {"sigma_n", -1.0}, {"half_length", 0.0}}) {
+    auto parameters = kOpened;
+    parameters[key] = value;
+    EXPECT_THROW(field("open-crack", parameters), InputError) << key;
+  }
+}
+
 TEST(PartedWaves, AreTwoFieldsAnOpeningApartAndThePlaceDecidesOnlyWithoutASide) {
   const std::map<std::string, double> parameters{{"a", 0.02}, {"k", 2.0},      {"x", 0.3},
                                                  {"y", 0.4},  {"angle", 30.0}, {"opening", 0.5}};

@@ -1,6 +1,8 @@
 // Runs through the library: stopped, resumed, failed, refused.
 #include "cleft/scene/run.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "cleft/scene/files.hpp"
 #include "scenes.hpp"
 
@@ -155,6 +157,35 @@ TEST(Run, OfASceneWhoseFileNameIsNotUtf8LeavesItsSummary) {
   const std::string file = folder.write("sc\xff.toml", kPlain);
   EXPECT_EQ(run(read_scene(file), into(folder / "run")).end, RunResult::End::Done);
   EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"done\""), std::string::npos);
+}
+
+// What a scene costs, in numbers: nothing of the past and no second factorisation where neither is needed.
+TEST(Run, CountsWhatIsRememberedAndHowOftenItFactorises) {
+  const Folder folder;
+  const auto costs = [&](const std::string& text, const std::vector<std::string>& overrides) {
+    (void)run(scene_of(text, overrides), into(folder / "run"));
+    return nlohmann::json::parse(read_bytes(folder / "run/run.json"));
+  };
+  const std::string pulled = kPlain + "[[traction]]\non = \"top\"\nvalue = [0.0, 1e6]\n";
+  const auto linear = costs(pulled, {"formulation.kinematics='small'", "loading.steps=5"});
+  EXPECT_EQ(linear.at("linear"), true);
+  EXPECT_EQ(linear.at("factorisations"), 1);
+  EXPECT_EQ(linear.at("history"), nlohmann::json::parse(R"({"contact": 0, "plastic": 0, "bytes": 0})"));
+  EXPECT_EQ(linear.at("current_faces"), 0);
+
+  const auto cracked = costs(kBlock, {});
+  EXPECT_EQ(cracked.at("linear"), false);
+  EXPECT_GE(cracked.at("assemblies"), cracked.at("factorisations"));
+  EXPECT_GE(cracked.at("factorisations"), cracked.at("iterations"));
+  EXPECT_EQ(cracked.at("history").at("contact"), cracked.at("unknowns").at("contact_points"));
+  EXPECT_GT(cracked.at("history").at("contact"), 0);
+  EXPECT_GT(cracked.at("current_faces"), 0);
+
+  const auto plastic =
+      costs(replaced(pulled, "model = \"hencky\"", "model = \"j2\"\nyield_stress = 1e8"), {"loading.steps=1"});
+  EXPECT_EQ(plastic.at("history").at("contact"), 0);
+  EXPECT_EQ(plastic.at("history").at("plastic"), plastic.at("mesh").at("elements"));
+  EXPECT_GT(plastic.at("history").at("bytes"), 0);
 }
 
 TEST(Run, TellsItsRemarksBeforeTheFirstIncrement) {

@@ -27,6 +27,10 @@ using Field = std::function<Vec2(const Vec2& reference, geometry::MaybeSide side
 ///    a (metres, default 1), and in its axes sigma_n (Pa, not above 0, default -1e5), tau (Pa, default 0), with no
 ///    stress along it, and friction (default 0). Where |tau| exceeds friction |sigma_n|, by tau_eff, it slips by 4 (1 -
 ///    nu^2) / E tau_eff sqrt(a^2 - x^2) (Phan, Napier, Gray and Kaplan 2003); else it sticks and the stress is uniform;
+///  - `open-crack`: a crack with free faces in an infinite plane under remote stress that opens it, plane strain, small
+///    strain (Westergaard 1939); parameters center_x, center_y, angle and half_length a as above, and in its axes
+///    sigma_n (Pa, above 0, default 1e5), tau and the stress along it sigma_t (Pa, default 0). At both tips K_I =
+///    sigma_n sqrt(pi a) and K_II = tau sqrt(pi a);
 ///  - `waves`: u = a (sin(k x) cos(k y), cos(k x) sin(k y / 2)); parameters a (metres, default 0.01) and k (1/m,
 ///    default pi);
 ///  - `parted-waves`: `waves` to the right of the line through (x, y) (default the origin) in the direction angle
