@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the figures of Liu and Borja 2010, section 6.1, from our own runs: verification/figures.sh [FOLDER]
+# Draws the figures of Liu and Borja 2010, sections 6.1 and 6.3, from our own runs: verification/figures.sh [FOLDER]
 # FOLDER (default results/figures) then holds the runs, a CSV file and an SVG a figure. Runs that are there are used again.
 source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
 build cleft
@@ -77,6 +77,20 @@ rows() { awk -F, -v load="$2" 'NR > 1 && ($1 - load) ^ 2 < 1e-18' "$1"; }
   awk -F, 'NR > 1 && (($2 - 0.1) ^ 2 < 1e-18 || ($2 - 0.3) ^ 2 < 1e-18 || ($2 - 0.5) ^ 2 < 1e-18 || ($2 - 0.7) ^ 2 < 1e-18 || ($2 - 1) ^ 2 < 1e-18) {
     print $2 "," $3 "," $4 }' "$out/left_16/newton.csv"
 } > "$out/figure11_newton.csv"
+
+# Figures 14 to 16: where the block yields and where flow may localise, around the tip on the deformed mesh
+# yields FIGURE SCENE WINDOW: the last fields of a scene
+yields() {
+  local folder=$out/$2
+  if ! grep -qs '"end": "done"' "$folder/run.json"; then
+    say "$2"
+    build/release/bin/cleft run "verification/scenes/$2.toml" -o "$folder" 2> "$folder.log"
+  fi
+  /usr/bin/python3 verification/figures/triangles.py "$folder/fields_0003.vtu" "${@:3}" > "$out/figure$1_yield.txt"
+}
+yields 14 block_small_scale_yield 0.03 0.048 0.036 0.054
+yields 15 block_yield_small 0.01 0.03 0.042 0.062
+yields 16 block_yield_finite 0.01 0.03 0.042 0.062
 
 for figure in verification/figures/*.gp; do
   gnuplot -e "folder='$out'" "$figure"
