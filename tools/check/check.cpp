@@ -22,6 +22,7 @@ std::string switched_on(const scene::Scene& scene, const assembly::Model& model)
     out = small ? "cutting, enrichment, friction between opposite points"
                 : "cutting, enrichment, contact search, friction";
   if (!model.tip_points.empty()) out += ", branch functions";
+  if (!model.mate.empty()) out += ", F-bar patches";
   if (assembly::has_memory(model.material)) out += ", plastic history";
   if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
   if (scene.material.viscosity > 0.0) out += ", viscous flow";

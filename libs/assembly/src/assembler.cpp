@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cleft/assembly/patches.hpp"
 #include "cleft/contact/undeformed.hpp"
 #include "cleft/support/timer.hpp"
 
@@ -51,6 +52,8 @@ void Assembler::build_pattern() {
       for (const Index j : columns) blocks.push_back({i, j});
   };
   for (const auto& cell : model_.cells) couple(cell.unknown, cell.unknown);
+  for (std::size_t c = 0; c < model_.mate.size(); ++c)
+    if (model_.mate[c] != kNone) couple(model_.cells[c].unknown, model_.cells[model_.mate[c]].unknown);
   for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
     const auto& unknown = model_.tip_points[p].unknown;
     if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
@@ -135,18 +138,22 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   return std::nullopt;
 }
 
+template <class Law>
+constitutive::Response Assembler::respond(const Law& law, const Mat2& deformation, const History& history,
+                                          std::size_t number) {
+  if constexpr (constitutive::PathDependent<Law>)
+    return law.respond(deformation, history.plastic[number], plastic_[number], history.duration);
+  else
+    return law.respond(deformation);
+}
+
 // False where the point is turned inside out.
 template <class Law, class Point, std::size_t unknowns>
 bool Assembler::add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                           const Point& point, double weight, const Places<unknowns>& places) {
   const Mat2 F = point.deformation(displacement);
   if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return false;
-  const constitutive::Response r = [&] {
-    if constexpr (constitutive::PathDependent<Law>)
-      return law.respond(F, history.plastic[number], plastic_[number], history.duration);
-    else
-      return law.respond(F);
-  }();
+  const constitutive::Response r = respond(law, F, history, number);
   const auto& g = point.gradient;
   for (std::size_t l = 0; l < unknowns; ++l) {
     force_.segment<2>(2 * point.unknown[l]).noalias() += weight * (r.piola * g[l]);
@@ -160,14 +167,53 @@ bool Assembler::add_point(const Law& law, const VecX& displacement, const Histor
   return true;
 }
 
+// With P = Pbar/stretch, dP = A : dF + q/2 (d ln J_P - F^-T : dF), q = A : F - Pbar/stretch (small strain: A : 1): a
+// cell's own tangent less its share of the change of volume, and a term of rank one over both cells of the patch.
+template <class Law>
+bool Assembler::add_patched(const Law& law, const VecX& displacement, const History& history, Index number) {
+  using Vec4 = Eigen::Vector4d;
+  const auto &cell = model_.cells[number], &other = model_.cells[model_.mate[number]];
+  const PatchedCell patch = patched(model_, number, displacement);
+  constexpr bool kSmall = constitutive::kIsSmallStrain<Law>;
+  if (!kSmall && !(det(patch.deformation) > 0.0)) return false;
+  const constitutive::Response bar = respond(law, patch.strained, history, static_cast<std::size_t>(number));
+  const Mat2 piola = bar.piola / patch.stretch;
+  const Mat2 along = kSmall ? Mat2(Mat2::Identity()) : patch.deformation;
+  Vec4 q = 0.5 * (bar.tangent * Eigen::Map<const Vec4>(along.data()));
+  if (!kSmall) q -= 0.5 * Eigen::Map<const Vec4>(piola.data());
+  const Mat4 own = bar.tangent - q * Eigen::Map<const Vec4>(patch.by_own.data()).transpose();
+  for (int k = 0; k < 3; ++k) {
+    const Vec2& g = cell.gradient[k];
+    force_.segment<2>(2 * cell.unknown[k]) += cell.area * (piola * g);
+    if (matrix_is_final_) continue;
+    const Vec2 pull = cell.area * (g(0) * q.head<2>() + g(1) * q.tail<2>());
+    for (int l = 0; l < 3; ++l) {
+      const Eigen::Matrix<double, 4, 2> d =
+          cell.area * (cell.gradient[l](0) * own.leftCols<2>() + cell.gradient[l](1) * own.rightCols<2>());
+      const Vec2 swells = patch.share * (patch.by_own * cell.gradient[l]);
+      matrix_.add({places_[number].start[k][l], places_[number].stride[l]},
+                  g(0) * d.topRows<2>() + g(1) * d.bottomRows<2>() + pull * swells.transpose());
+      const Vec2 swells_other = (1.0 - patch.share) * (patch.by_other * other.gradient[l]);
+      matrix_.add(matrix_.find(cell.unknown[k], other.unknown[l]), pull * swells_other.transpose());
+    }
+  }
+  return true;
+}
+
 // The material point that is turned inside out, or kNone.
 template <class Law>
 Index Assembler::bulk_loop(const Law& law, const VecX& displacement, const History& history) {
   if constexpr (constitutive::PathDependent<Law>) plastic_.resize(model_.material_points());
   const std::size_t cells = model_.cells.size();
-  for (std::size_t c = 0; c < cells; ++c)
+  const bool patches = !model_.mate.empty();
+  for (std::size_t c = 0; c < cells; ++c) {
+    if (patches && model_.mate[c] != kNone) {
+      if (!add_patched(law, displacement, history, static_cast<Index>(c))) return static_cast<Index>(c);
+      continue;
+    }
     if (!add_point(law, displacement, history, c, model_.cells[c], model_.cells[c].area, places_[c]))
       return static_cast<Index>(c);
+  }
   for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
     const auto& point = model_.tip_points[p];
     if (!add_point(law, displacement, history, cells + p, point, point.weight, tip_places_[p]))

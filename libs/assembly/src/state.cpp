@@ -1,5 +1,7 @@
 #include "cleft/assembly/state.hpp"
 
+#include "cleft/assembly/patches.hpp"
+
 namespace cleft::assembly {
 
 State state_at_rest(const Model& model) {
@@ -17,8 +19,8 @@ double elastic_energy(const Model& model, const VecX& displacement,
   return std::visit(
       [&]<class Law>(const Law& law) {
         double sum = 0.0;
-        for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
-          const Mat2 F = point.deformation(displacement);
+        for_each_material_point(model, [&](std::size_t p, const auto&, double weight) {
+          const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
           if constexpr (constitutive::PathDependent<Law>)
             sum += weight * law.energy(F, plastic[p]);
           else
@@ -34,8 +36,9 @@ constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& di
       [&]<class Law>(const Law& law) {
         constitutive::PlasticWork sum;
         if constexpr (constitutive::PathDependent<Law>)
-          for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
-            const auto work = law.dissipation(point.deformation(displacement), before.plastic[p], before.duration);
+          for_each_material_point(model, [&](std::size_t p, const auto&, double weight) {
+            const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
+            const auto work = law.dissipation(F, before.plastic[p], before.duration);
             sum.plastic += weight * work.plastic;
             sum.viscous += weight * work.viscous;
           });

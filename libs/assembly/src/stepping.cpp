@@ -29,7 +29,8 @@ std::vector<double> targets_of(const StepControls& controls) {
 }  // namespace
 
 Factorisation LoadStepper::factorisation_for(const Model& model) {
-  return model.has_contact() || !is_symmetric(model.material) ? Factorisation::Unsymmetric : Factorisation::Symmetric;
+  return model.has_contact() || !is_symmetric(model.material) || !model.mate.empty() ? Factorisation::Unsymmetric
+                                                                                     : Factorisation::Symmetric;
 }
 
 LoadStepper::LoadStepper(const Model& model, StepControls controls)

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/scene/profile.hpp"
 
@@ -16,7 +17,7 @@ struct Shown {
 Shown shown_at(const assembly::Model& m, const assembly::State& state, std::size_t number) {
   const auto& plastic = state.history.plastic;
   const auto remembered = plastic.empty() ? constitutive::PlasticState{} : plastic[number];
-  const Mat2 F = assembly::deformation(m, static_cast<Index>(number), state.displacement);
+  const Mat2 F = assembly::material_deformation(m, static_cast<Index>(number), state.displacement);
   return {assembly::stress_of(m.material, F, remembered), remembered.accumulated,
           plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(m.material, F, remembered)};
 }

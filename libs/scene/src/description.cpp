@@ -73,6 +73,7 @@ Json physics(const Scene& s) {
   if (s.mesh.focus) j["mesh"]["focus"] = {{"box", s.mesh.focus->box}, {"share", s.mesh.focus->share}};
   j["material"] = material(s.material);
   j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"},
+                      {"f_bar", s.f_bar},
                       {"tip_enrichment", s.tip_enrichment}};
   j["crack"] = Json::array();
   for (const auto& c : s.cracks) j["crack"].push_back(crack(c));

@@ -37,6 +37,7 @@ constexpr std::array kKeys = {
     Key{"material", "viscosity", "number", "Pa: stress beyond yield per plastic multiplier and unit of the load"},
     Key{"formulation", "kinematics", "text", "finite | small"},
     Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
+    Key{"formulation", "f_bar", "true or false", "patches of two triangles share their change of volume"},
     Key{"crack", "name", "text", "names its result file"},
     Key{"crack", "points", "array of points", "polyline in the reference configuration, m"},
     Key{"crack", "curve", "text", "sine"},

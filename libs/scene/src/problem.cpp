@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cleft/assembly/patches.hpp"
 #include "cleft/geometry/lines.hpp"
 #include "exact.hpp"
 #include "loads.hpp"
@@ -223,6 +224,7 @@ assembly::Model build_model(const Scene& scene) {
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
+  if (scene.f_bar) m.mate = assembly::pair_cells(m.mesh, m.cells);
   const auto constants = constitutive::lame(scene.material.young, scene.material.poisson);
   m.material = material_of(scene.material, scene.kinematics);
   if (!scene.cracks.empty()) set_up_contact(scene, m);

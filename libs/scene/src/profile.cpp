@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/stress.hpp"
 
 namespace cleft::scene {
@@ -53,10 +54,10 @@ PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State
   PlasticExtremes out;
   const auto& plastic = state.history.plastic;
   if (plastic.empty()) return out;
-  assembly::for_each_material_point(m, [&](std::size_t p, const auto& point, double) {
+  assembly::for_each_material_point(m, [&](std::size_t p, const auto&, double) {
     if (plastic[p].accumulated == 0.0) return;
     out.largest_strain = std::fmax(out.largest_strain, plastic[p].accumulated);
-    const Mat2 F = point.deformation(state.displacement);
+    const Mat2 F = assembly::material_deformation(m, static_cast<Index>(p), state.displacement);
     out.least_localisation =
         std::fmin(out.least_localisation, assembly::localisation_of(m.material, F, plastic[p]).value);
   });

@@ -90,6 +90,7 @@ MaterialSpec read_material(const Section& s) {
 void read_formulation(const Section& s, Scene& out) {
   const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
   out.tip_enrichment = s.number_or("tip_enrichment", 0.0, kNotNegative, "0 (none) or a radius, m");
+  out.f_bar = s.flag_or("f_bar", false);
   out.kinematics = small ? Kinematics::Small : Kinematics::Finite;
 }
 

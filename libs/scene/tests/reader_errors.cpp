@@ -109,6 +109,7 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"[material]\nmodel", "@[[material]]\n[[material]]\nmodel", "material", "several materials"},
       {"kinematics = \"finite\"", "kinematics = @\"large\"", "formulation.kinematics",
        "'large' is not available; allowed: finite, small"},
+      {"tip_enrichment = 0.0", "tip_enrichment = 0.0\nf_bar = @1", "formulation.f_bar", "allowed: true, false"},
       {"tip_enrichment = 0.0", "tip_enrichment = @-0.1", "formulation.tip_enrichment",
        "allowed: 0 (none) or a radius, m"},
       {"friction = 0.3", "friction = 0.3\nintensities = @true", "crack[0].intensities", "need the ball of a tip"},

@@ -64,6 +64,10 @@ class Assembler {
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                  const Point& point, double weight, const Places<unknowns>& places);
   template <class Law>
+  bool add_patched(const Law& law, const VecX& displacement, const History& history, Index cell);
+  template <class Law>
+  constitutive::Response respond(const Law& law, const Mat2& deformation, const History& history, std::size_t number);
+  template <class Law>
   Index bulk_loop(const Law& law, const VecX& displacement, const History& history);
 
   const Model& model_;

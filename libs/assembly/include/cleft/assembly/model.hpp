@@ -47,6 +47,7 @@ struct Model {
   enrichment::Unknowns unknowns;
   std::vector<enrichment::Cell> cells;
   std::vector<enrichment::TipPoint> tip_points;  ///< of the triangles in the balls of tips, which have no cells
+  std::vector<Index> mate;                       ///< of each cell, in a patch (patches.hpp); empty without patches
   contact::Surfaces surfaces;                    ///< no faces where the scene has no crack
   Material material;
   std::vector<Prescribed> prescribed;

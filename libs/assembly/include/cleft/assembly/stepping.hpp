@@ -69,7 +69,7 @@ class LoadStepper {
   /// Force on the body (N/m) through each prescribed boundary of the model, in its order.
   std::vector<Vec2> reactions() const;
 
-  /// Whether symmetric factorisation is allowed: no contact, and no plastic flow that is not associated.
+  /// Whether symmetric factorisation is allowed: no contact, no patches, and no plastic flow that is not associated.
   static Factorisation factorisation_for(const Model& model);
 
  private:

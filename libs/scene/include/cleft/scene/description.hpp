@@ -125,6 +125,7 @@ struct Scene {
   MeshSpec mesh;
   MaterialSpec material;
   Kinematics kinematics = Kinematics::Finite;
+  bool f_bar = false;           ///< patches of two triangles share their change of volume
   double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
   std::vector<CrackSpec> cracks;
   std::vector<BoundarySpec> boundaries;
