@@ -33,5 +33,33 @@ INSTANTIATE_TEST_SUITE_P(Meshes, NewtonRate,
                            return std::to_string(std::get<0>(c.param)) + "_" + std::get<1>(c.param);
                          });
 
+// On 16 x 32 cells at finite strain 87 % of 50 increments reach the order: the others flow at so many points for the
+// first time that three errors are too few.
+struct Yielding {
+  const char *name, *scene, *cells;
+  int steps;
+};
+class YieldingNewtonRate : public testing::TestWithParam<Yielding> {};
+
+TEST_P(YieldingNewtonRate, IsQuadraticInNineOfTenIncrements) {
+  const Yielding& p = GetParam();
+  Case table(fmt::format("{}, {} cells, {} steps, iterations", p.scene, p.cells, p.steps));
+  const auto scene =
+      scene_of(p.scene, {fmt::format("mesh.cells={}", p.cells), fmt::format("loading.steps={}", p.steps)});
+  const Solved run = solve(verify::until_rounding(scene));
+  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  EXPECT_TRUE(verdict.enough) << verdict.judged << " of " << verdict.increments << " can be judged";
+  table.compare("share of the increments of order 1.8 or more",
+                static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
+                within(0.1, "three errors show an order only about"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, YieldingNewtonRate,
+                         testing::Values(Yielding{"small_16", "block_yield_small", "[16,32]", 50},
+                                         Yielding{"small_32", "block_yield_small", "[32,64]", 50},
+                                         Yielding{"finite_8", "block_yield_finite", "[8,16]", 50},
+                                         Yielding{"finite_16", "block_yield_finite", "[16,32]", 200}),
+                         [](const auto& p) { return p.param.name; });
+
 }  // namespace
 }  // namespace cleft::verification
