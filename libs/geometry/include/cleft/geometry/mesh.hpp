@@ -17,6 +17,9 @@ struct Mesh {
   std::vector<std::array<Index, 3>> triangles;
   /// Named parts of the boundary as edges (two nodes each, body on the left).
   std::map<std::string, std::vector<std::array<Index, 2>>> boundaries;
+  /// Parts of the body by name, and each triangle's part; both empty where the body is not divided.
+  std::vector<std::string> regions;
+  std::vector<Index> region_of;
 };
 
 enum class Diagonal { Right, Left, Alternating };
