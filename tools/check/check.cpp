@@ -1,6 +1,8 @@
 // cleft check: reads, validates and cuts; solves nothing.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
 #include "verbs.hpp"
@@ -16,17 +18,22 @@ struct Options {
 void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, value); }
 
 std::string switched_on(const scene::Scene& scene, const assembly::Model& model) {
-  const bool small = assembly::is_small_strain(model.material);
+  const bool small = model.is_small_strain();
   std::string out = "plain finite elements";
   if (model.has_contact())
     out = small ? "cutting, enrichment, friction between opposite points"
                 : "cutting, enrichment, contact search, friction";
   if (!model.tip_points.empty()) out += ", branch functions";
   if (!model.mate.empty()) out += ", F-bar patches";
-  if (assembly::has_memory(model.material)) out += ", plastic history";
+  if (model.has_memory()) out += ", plastic history";
   if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
-  if (scene.material.viscosity > 0.0) out += ", viscous flow";
+  if (std::ranges::any_of(scene.materials, scene::is_viscous)) out += ", viscous flow";
   return out;
+}
+
+std::string name_of(const scene::MaterialSpec::Region& region) {
+  if (region.crack.empty()) return "region " + region.name;
+  return fmt::format("the body {} of crack {}", region.side == geometry::Side::Left ? "left" : "right", region.crack);
 }
 
 int check(const Options& options) {
@@ -60,7 +67,7 @@ int check(const Options& options) {
   for (const auto& note : scene::remarks(scene, model)) print("note", note);
   const bool small = scene.kinematics == scene::Kinematics::Small;
   print("kinematics", small ? "small" : "finite");
-  print("material", scene.material.model);
+  for (const auto& m : scene.materials) print("material", m.model + (m.region ? " in " + name_of(*m.region) : ""));
   print("switched on", switched_on(scene, model));
   const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
   print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (UMFPACK)",

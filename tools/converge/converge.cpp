@@ -24,12 +24,12 @@ void print(const scene::Study& study, const verify::StudyResult& result) {
   for (const auto& s : result.series) {
     const auto& q = study.quantities[s.quantity];
     fmt::print("\n{}{}\n", q.name, s.variant.empty() ? "" : ", " + s.variant);
-    fmt::print("  {:>10} {:>11} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "cells", "h", "value", "rel. error", "seconds",
-               "MB", "iter.");
+    fmt::print("  {:>10} {:>11} {:>8} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "mesh", "h", "unknowns", "value",
+               "rel. error", "seconds", "MB", "iter.");
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       const auto& r = result.runs[s.runs[k]];
-      fmt::print("  {:>10} {:>11.4g} {:>14.7g} {:>11.3g} {:>9.2f} {:>7.0f} {:>7}\n", r.cells, r.h, r.value[s.quantity],
-                 s.error[k] / s.scale, r.seconds, r.megabytes, r.iterations);
+      fmt::print("  {:>10} {:>11.4g} {:>8} {:>14.7g} {:>11.3g} {:>9.2f} {:>7.0f} {:>7}\n", r.mesh, r.h, r.unknowns,
+                 r.value[s.quantity], s.error[k] / s.scale, r.seconds, r.megabytes, r.iterations);
     }
     const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
     if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));

@@ -24,7 +24,7 @@ double energy_error(const char* name, const char* crack, int cells, double radiu
   keys.push_back(fmt::format("crack.{}.intensities=false", crack));
   const auto scene = scene_of(name, keys);
   const SolvedModel solved(scene);
-  const auto exact = scene::make_field(*scene.exact, solved.model.constants());
+  const auto exact = scene::make_field(*scene.exact, solved.model.constants(0));
   const auto norms = scene::error_norms(solved.model, exact, 1.0, solved.stepper.state().displacement);
   return norms.energy / norms.energy_exact;
 }

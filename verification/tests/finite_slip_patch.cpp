@@ -49,9 +49,15 @@ Mat2 homogeneous(const assembly::Material& material, const Patch& patch) {
 
 scene::Scene square(const Patch& patch) {
   scene::Scene scene;
-  scene.mesh.box = {0.0, 0.0, 1.0, 1.0};
-  scene.mesh.cells = {10, 10};
-  scene.material = {patch.material, kYoung, kPoisson};
+  scene::StructuredMesh mesh;
+  mesh.box = {0.0, 0.0, 1.0, 1.0};
+  mesh.cells = {10, 10};
+  scene.mesh.kind = mesh;
+  scene::MaterialSpec material;
+  material.model = patch.material;
+  material.young = kYoung;
+  material.poisson = kPoisson;
+  scene.materials = {material};
   scene::CrackSpec crack;
   crack.name = "face";
   crack.points = {kStart, kEnd};
@@ -117,7 +123,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   const Vec2 t = (kEnd - kStart).normalized();
   Motion motion;
   motion.turn << t.x(), -t.y(), t.y(), t.x();
-  motion.F = homogeneous(model.material, patch);
+  motion.F = homogeneous(model.material(0), patch);
   motion.gap = (patch.elastic == Side::Right ? -1.0 : 1.0) * kPressure / model.surfaces.laws[0].normal_penalty;
   prescribe(model, motion, patch.elastic);
   const Mat2 F = motion.turn * motion.F * motion.turn.transpose();

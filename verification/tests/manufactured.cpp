@@ -36,7 +36,7 @@ scene::ErrorNorms error_on(int cells, const Problem& problem, const std::string&
   EXPECT_TRUE(std::all_of(pairs.begin(), pairs.end(), [](const contact::Pair& pair) {
     return pair.state.traction.status == contact::Status::Open;
   })) << "the solution has no contact";
-  return scene::error_norms(solved.model, scene::make_field(*scene.exact, solved.model.constants()), 1.0,
+  return scene::error_norms(solved.model, scene::make_field(*scene.exact, solved.model.constants(0)), 1.0,
                             solved.stepper.state().displacement);
 }
 

@@ -48,7 +48,7 @@ Map map_of(const std::string& name, const std::vector<std::string>& overrides = 
     half.flow += weight * memory.accumulated;
     if (number < model.cells.size() && weight < kSliver * mean) return;
     const double value =
-        assembly::localisation_of(model.material, assembly::deformation(model, p, state.displacement), memory).value;
+        assembly::localisation_of(model.material(p), assembly::deformation(model, p, state.displacement), memory).value;
     if (value < half.least) {
       half.least = value;
       half.along = from.dot(along);

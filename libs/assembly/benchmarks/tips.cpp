@@ -25,9 +25,9 @@ void assemble(benchmark::State& state, bool undeformed) {
   auto model = enriched_block(state.range(0), state.range(1));
   model.surfaces.undeformed = undeformed;
   if constexpr (!std::is_same_v<Law, constitutive::FinitePlastic>)
-    model.material = Law{model.constants()};
+    model.materials = {Law{model.constants(0)}};
   else
-    model.material = Law{{model.constants(), 1.5e9, 0.8, 0.7, 0.0}};
+    model.materials = {Law{{model.constants(0), 1.5e9, 0.8, 0.7, 0.0}}};
   assembly::Assembler assembler(model);
   const auto rest = assembly::state_at_rest(model);
   for (auto _ : state) benchmark::DoNotOptimize(assembler.assemble(rest.displacement, rest.history));

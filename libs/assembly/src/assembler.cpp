@@ -58,6 +58,7 @@ void Assembler::build_pattern() {
     const auto& unknown = model_.tip_points[p].unknown;
     if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
   }
+  for (const auto& tie : model_.ties) couple(tie.unknown, tie.unknown);
   std::vector<Index> together;
   for (std::size_t f = 0; f < room_.size(); ++f) {
     if (room_[f].empty()) continue;
@@ -129,6 +130,7 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   contact_force_.setZero(model_.has_contact() ? model_.unknowns.components() : 0);
   if (!matrix_is_final_) matrix_.set_zero();
   if (auto failure = assemble_bulk(displacement, history)) return failure;
+  add_ties(displacement);
   matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
     assemble_contact(history.contact);
@@ -202,11 +204,11 @@ bool Assembler::add_patched(const Law& law, const VecX& displacement, const Hist
 
 // The material point that is turned inside out, or kNone.
 template <class Law>
-Index Assembler::bulk_loop(const Law& law, const VecX& displacement, const History& history) {
-  if constexpr (constitutive::PathDependent<Law>) plastic_.resize(model_.material_points());
+Index Assembler::bulk_loop(const Law& law, const PointRange& range, const VecX& displacement, const History& history) {
   const std::size_t cells = model_.cells.size();
   const bool patches = !model_.mate.empty();
-  for (std::size_t c = 0; c < cells; ++c) {
+  std::size_t c = range.first;
+  for (; c < std::min(range.last, cells); ++c) {
     if (patches && model_.mate[c] != kNone) {
       if (!add_patched(law, displacement, history, static_cast<Index>(c))) return static_cast<Index>(c);
       continue;
@@ -214,17 +216,21 @@ Index Assembler::bulk_loop(const Law& law, const VecX& displacement, const Histo
     if (!add_point(law, displacement, history, c, model_.cells[c], model_.cells[c].area, places_[c]))
       return static_cast<Index>(c);
   }
-  for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
-    const auto& point = model_.tip_points[p];
-    if (!add_point(law, displacement, history, cells + p, point, point.weight, tip_places_[p]))
-      return static_cast<Index>(cells + p);
+  for (; c < range.last; ++c) {
+    const auto& point = model_.tip_points[c - cells];
+    if (!add_point(law, displacement, history, c, point, point.weight, tip_places_[c - cells]))
+      return static_cast<Index>(c);
   }
   return kNone;
 }
 
 std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const History& history) {
   const PhaseTimer timer(seconds_.bulk);
-  const Index bad = std::visit([&](const auto& law) { return bulk_loop(law, displacement, history); }, model_.material);
+  if (model_.has_memory()) plastic_.resize(model_.material_points());
+  Index bad = kNone;
+  for_each_run(model_, [&](const auto& law, const PointRange& range) {
+    if (bad == kNone) bad = bulk_loop(law, range, displacement, history);
+  });
   if (bad == kNone) return std::nullopt;
   const MaterialPoint at = material_point(model_, bad);
   const char* side = !at.side ? "" : *at.side == geometry::Side::Left ? ", left side" : ", right side";
@@ -232,6 +238,21 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
                  fmt::format("element {} at ({:.6g}, {:.6g}){}", at.element, at.reference.x(), at.reference.y(), side),
                  model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
                                       : "smaller increments (loading.steps), or a finer mesh there"};
+}
+
+void Assembler::add_ties(const VecX& displacement) {
+  const PhaseTimer timer(seconds_.bulk);
+  for (const auto& tie : model_.ties) {
+    const double stiffness = tie_stiffness(model_, tie);
+    const Vec2 jump = tie.jump(displacement);
+    for (std::size_t k = 0; k < tie.unknown.size(); ++k) {
+      force_.segment<2>(2 * tie.unknown[k]) += stiffness * tie.slope[k] * jump;
+      if (matrix_is_final_) continue;
+      for (std::size_t l = 0; l < tie.unknown.size(); ++l)
+        matrix_.add(matrix_.find(tie.unknown[k], tie.unknown[l]),
+                    stiffness * tie.slope[k] * tie.slope[l] * Mat2::Identity());
+    }
+  }
 }
 
 void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {

@@ -4,24 +4,39 @@
 
 namespace cleft::assembly {
 
-bool is_small_strain(const Material& material) {
-  return std::visit([]<class Law>(const Law&) { return constitutive::kIsSmallStrain<Law>; }, material);
+bool Model::is_small_strain() const {
+  return std::visit([]<class Law>(const Law&) { return constitutive::kIsSmallStrain<Law>; }, materials.front());
 }
 
-bool has_memory(const Material& material) {
-  return std::visit([]<class Law>(const Law&) { return constitutive::PathDependent<Law>; }, material);
+bool Model::has_memory() const {
+  return std::ranges::any_of(materials, [](const Material& material) {
+    return std::visit([]<class Law>(const Law&) { return constitutive::PathDependent<Law>; }, material);
+  });
 }
 
-bool is_symmetric(const Material& material) {
-  return std::visit(
-      []<class Law>(const Law& law) {
-        if constexpr (constitutive::PathDependent<Law>)
-          return law.friction == law.dilatancy;  // associated flow
-        else
-          return true;
-      },
-      material);
+bool Model::has_symmetric_stress() const {
+  return std::ranges::all_of(materials, [](const Material& material) {
+    return std::visit(
+        []<class Law>(const Law& law) {
+          if constexpr (constitutive::PathDependent<Law>)
+            return law.friction == law.dilatancy;  // associated flow
+          else
+            return true;
+        },
+        material);
+  });
 }
+
+double Model::stiffness() const {
+  double most = 0.0;
+  for (const Material& material : materials)
+    most = std::max(
+        most,
+        std::visit([](const auto& law) { return constitutive::uniaxial_strain_modulus(law.constants); }, material));
+  return most;
+}
+
+double tie_stiffness(const Model& model, const enrichment::GhostTie& tie) { return model.stiffness() * tie.weight; }
 
 Mat2 deformation(const Model& model, Index number, const VecX& displacement) {
   const auto cells = static_cast<Index>(model.cells.size());

@@ -32,11 +32,7 @@ void predict(const State& state, const std::vector<Constraint>& constraints, con
 constexpr double kFlewAway = 1e3;
 
 double extent_of(const geometry::Mesh& mesh) {
-  Vec2 low = mesh.nodes.front(), high = low;
-  for (const auto& node : mesh.nodes) {
-    low = low.cwiseMin(node);
-    high = high.cwiseMax(node);
-  }
+  const auto [low, high] = geometry::box_around(mesh);
   return (high - low).norm();
 }
 
@@ -150,7 +146,7 @@ RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
   // size eps |x|, which the penalty turns into forces. Independent errors add up in squares.
   constexpr double kOperations = 16.0;
   const double reach = displacement.cwiseAbs().maxCoeff();
-  const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
+  const double modulus = model.stiffness();
   double bulk = 0.0, contact = 0.0;
   for_each_material_point(model, [&](std::size_t, const auto& point, double weight) {
     for (const auto& g : point.gradient) {
@@ -179,7 +175,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   load = along_path ? state.load + goal.stretch * (state.load - state.previous_load) : goal.load;
   VecX target = prescribed_values(model, constraints, load);
   VecX dead = dead_force(model, load);
-  const double modulus = constitutive::uniaxial_strain_modulus(model.constants());
+  const double modulus = model.stiffness();
   VecX& u = out.displacement;
   u = state.displacement;
   if (along_path)
@@ -234,7 +230,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       out.left = it;
       return out;
     }
-    if (i == 0) first_residual = residual;
+    if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence,
                             fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
@@ -273,7 +269,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (factors != Factors::Regular || !finite || !lost.empty()) {
       out.failure =
           Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
-                  has_memory(model.material)
+                  model.has_memory()
                       ? "hardening or a lower load (the body may have reached its limit load), or prescribing more "
                         "components (is every part of the body held?)"
                       : "prescribing more components, or bringing the parts into contact (is every part of the body "

@@ -32,13 +32,14 @@ Mat2 inverse_transposed(const Mat2& F) {
 
 }  // namespace
 
-std::vector<Index> pair_cells(const geometry::Mesh& mesh, const std::vector<enrichment::Cell>& cells) {
+std::vector<Index> pair_cells(const Model& model) {
+  const auto& cells = model.cells;
   std::vector<Index> mate(cells.size(), kNone);
   std::map<Edge, Index> waiting;
   for (Index c = 0; c < static_cast<Index>(cells.size()); ++c) {
     if (cells[c].cut != kNone) continue;
-    const auto [other, first] = waiting.emplace(longest_edge(mesh, cells[c]), c);
-    if (first) continue;
+    const auto [other, first] = waiting.emplace(longest_edge(model.mesh, cells[c]), c);
+    if (first || &model.material(c) != &model.material(other->second)) continue;
     mate[c] = other->second;
     mate[other->second] = c;
   }
@@ -52,7 +53,7 @@ PatchedCell patched(const Model& model, Index cell, const VecX& displacement) {
   const Mat2 F = own.deformation(displacement), F_other = other.deformation(displacement);
   out.deformation = F;
   const double area = own.area + other.area;
-  if (is_small_strain(model.material)) {
+  if (model.is_small_strain()) {
     out.by_own = out.by_other = Mat2::Identity();
     out.share = own.area / area;
     out.strained = F + 0.5 * (1.0 - out.share) * (F_other.trace() - F.trace()) * Mat2::Identity();

@@ -9,42 +9,39 @@ State state_at_rest(const Model& model) {
   state.displacement = VecX::Zero(model.unknowns.components());
   state.previous_displacement = state.displacement;
   state.history.contact = contact::memory_at_rest(model.surfaces);
-  if (has_memory(model.material)) state.history.plastic.resize(model.material_points());
+  if (model.has_memory()) state.history.plastic.resize(model.material_points());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
   return state;
 }
 
 double elastic_energy(const Model& model, const VecX& displacement,
                       const std::vector<constitutive::PlasticState>& plastic) {
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        double sum = 0.0;
-        for_each_material_point(model, [&](std::size_t p, const auto&, double weight) {
-          const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
-          if constexpr (constitutive::PathDependent<Law>)
-            sum += weight * law.energy(F, plastic[p]);
-          else
-            sum += weight * law.energy(F);
-        });
-        return sum;
-      },
-      model.material);
+  double sum = 0.0;
+  for_each_run(model, [&]<class Law>(const Law& law, const PointRange& range) {
+    for_each_material_point(model, range, [&](std::size_t p, const auto&, double weight) {
+      const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
+      if constexpr (constitutive::PathDependent<Law>)
+        sum += weight * law.energy(F, plastic[p]);
+      else
+        sum += weight * law.energy(F);
+    });
+  });
+  for (const auto& tie : model.ties) sum += 0.5 * tie_stiffness(model, tie) * tie.jump(displacement).squaredNorm();
+  return sum;
 }
 
 constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& displacement, const History& before) {
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        constitutive::PlasticWork sum;
-        if constexpr (constitutive::PathDependent<Law>)
-          for_each_material_point(model, [&](std::size_t p, const auto&, double weight) {
-            const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
-            const auto work = law.dissipation(F, before.plastic[p], before.duration);
-            sum.plastic += weight * work.plastic;
-            sum.viscous += weight * work.viscous;
-          });
-        return sum;
-      },
-      model.material);
+  constitutive::PlasticWork sum;
+  for_each_run(model, [&]<class Law>(const Law& law, const PointRange& range) {
+    if constexpr (constitutive::PathDependent<Law>)
+      for_each_material_point(model, range, [&](std::size_t p, const auto&, double weight) {
+        const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
+        const auto work = law.dissipation(F, before.plastic[p], before.duration);
+        sum.plastic += weight * work.plastic;
+        sum.viscous += weight * work.viscous;
+      });
+  });
+  return sum;
 }
 
 }  // namespace cleft::assembly

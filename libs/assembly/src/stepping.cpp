@@ -29,7 +29,7 @@ std::vector<double> targets_of(const StepControls& controls) {
 }  // namespace
 
 Factorisation LoadStepper::factorisation_for(const Model& model) {
-  return model.has_contact() || !is_symmetric(model.material) || !model.mate.empty() ? Factorisation::Unsymmetric
+  return model.has_contact() || !model.has_symmetric_stress() || !model.mate.empty() ? Factorisation::Unsymmetric
                                                                                      : Factorisation::Symmetric;
 }
 
@@ -120,7 +120,7 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
                                     state_.load, size)
                       : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
                                     state_.load, size);
-  if (has_memory(model_.material) && controls_.control == Control::Load)
+  if (model_.has_memory() && controls_.control == Control::Load)
     failure.advice +=
         "; the body may be at a limit load: loading.control = \"path\" goes beyond it, material.viscosity "
         "delays flow that localises";

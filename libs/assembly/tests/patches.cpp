@@ -12,7 +12,7 @@ namespace {
 
 Model patched_block(geometry::Diagonal diagonal) {
   Model m = models::block(8, contact::NegativeSide::Left, diagonal);
-  m.mate = pair_cells(m.mesh, m.cells);
+  m.mate = pair_cells(m);
   return m;
 }
 
@@ -37,7 +37,7 @@ TEST(Patches, AreTheRectanglesThatNoCrackDivides) {
 TEST(Patches, ShareTheirVolumeAndKeepTheirShape) {
   for (const bool small : {false, true}) {
     Model m = patched_block(geometry::Diagonal::Right);
-    if (small) m.material = constitutive::LinearElastic{constitutive::lame(1e10, 0.25)};
+    if (small) m.materials = {constitutive::LinearElastic{constitutive::lame(1e10, 0.25)}};
     VecX u(m.unknowns.components());
     for (Eigen::Index k = 0; k < u.size(); ++k) u[k] = 1e-3 * std::sin(1.7 * static_cast<double>(k));
     int patches = 0;

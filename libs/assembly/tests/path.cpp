@@ -25,7 +25,7 @@ Model bar() {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 0.5, 1.0}, {2, 3}, geometry::Diagonal::Right);
   models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, kYoung);
-  m.material = constitutive::Hencky{constitutive::lame(kYoung, kPoisson)};
+  m.materials = {constitutive::Hencky{constitutive::lame(kYoung, kPoisson)}};
   m.prescribed = {hold_component(m, "bottom", 1), hold_component(m, "left", 0)};
   VecX force = VecX::Zero(m.unknowns.components());
   for (const auto& [i, j] : m.mesh.boundaries.at("top")) {
@@ -101,7 +101,7 @@ TEST(Path, CostsNothingWhereTheLoadRises) {
 TEST(Path, CoordinateIsThatOfTheLastIncrement) {
   Model model = models::block(8, contact::NegativeSide::Left);
   const constitutive::DruckerPrager cone{constitutive::lame(1e10, 0.25), 8e8, 0.8, 0.7, 0.0};
-  model.material = constitutive::FinitePlastic{cone};
+  model.materials = {constitutive::FinitePlastic{cone}};
   LoadStepper stepper(model, along_path(20));
   for (int k = 0; k < 8; ++k) {
     ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
@@ -114,7 +114,7 @@ TEST(Path, CoordinateIsThatOfTheLastIncrement) {
 TEST(Path, FollowsAYieldingBlockBackAndHitsItsOutputs) {
   Model model = models::block(32, contact::NegativeSide::Left);
   const constitutive::DruckerPrager cone{constitutive::lame(1e10, 0.25), 1.5e9, 0.8, 0.7, 0.0};
-  model.material = constitutive::FinitePlastic{cone};
+  model.materials = {constitutive::FinitePlastic{cone}};
   StepControls controls = along_path(50);
   controls.outputs = {0.25, 0.53, 0.5501};
   LoadStepper stepper(model, controls);

@@ -17,9 +17,9 @@ const constitutive::DruckerPrager kCone{kElastic, 8e8, 0.8, 0.7, 0.0};
 
 Model block_of(const Material& material, int cells = 8, NegativeSide side = NegativeSide::Left, bool patches = false) {
   Model model = models::block(cells, side);
-  model.material = material;
-  model.surfaces.undeformed = is_small_strain(material);
-  if (patches) model.mate = pair_cells(model.mesh, model.cells);
+  model.materials = {material};
+  model.surfaces.undeformed = model.is_small_strain();
+  if (patches) model.mate = pair_cells(model);
   return model;
 }
 
@@ -144,7 +144,7 @@ Model plain(const Material& material) {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {6, 6}, geometry::Diagonal::Left);
   models::discretise(m, 1.0, 0.0, NegativeSide::Left, 1e10);
-  m.material = material;
+  m.materials = {material};
   m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {0.1, -0.2})};
   return m;
 }

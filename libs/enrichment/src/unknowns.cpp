@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cleft/enrichment/ghost_penalty.hpp"
+
 namespace cleft::enrichment {
 
 Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cut) {
@@ -13,20 +15,13 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   out.side_of.resize(mesh.nodes.size());
   for (Index i = 0; i < out.nodes; ++i) out.node_of[i] = i;
 
-  std::vector<Index> touched;
-  std::vector<double> other_side(mesh.nodes.size(), 0.0), whole(mesh.nodes.size(), 0.0);
   for (const auto& element : cut.elements)
-    for (int k = 0; k < 3; ++k) {
-      const Index node = mesh.triangles[element.element][k];
-      if (whole[node] == 0.0) touched.push_back(node);
-      out.side_of[node] = element.node_side[k];
-      whole[node] += element.area[0] + element.area[1];
-      other_side[node] += element.area[static_cast<int>(other(element.node_side[k]))];
-    }
-  std::sort(touched.begin(), touched.end());
-  for (const Index node : touched) {
+    for (int k = 0; k < 3; ++k) out.side_of[mesh.triangles[element.element][k]] = element.node_side[k];
+  const auto support = other_side_support(mesh, cut);
+  for (Index node = 0; node < out.nodes; ++node) {
+    if (!out.side_of[node]) continue;
     const bool at_tip = std::binary_search(cut.tip_nodes.begin(), cut.tip_nodes.end(), node);
-    if (at_tip || other_side[node] <= kLeastSupport * whole[node]) continue;
+    if (at_tip || support[node] <= kLeastSupport) continue;
     out.ghost[node] = out.count++;
     out.node_of.push_back(node);
     out.side_of.emplace_back(geometry::other(*out.side_of[node]));

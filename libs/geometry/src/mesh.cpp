@@ -54,13 +54,18 @@ std::vector<Index> boundary_nodes(const Mesh& mesh, const std::string& name) {
   return nodes;
 }
 
-std::vector<Index> nodes_in_box(const Mesh& mesh, const std::array<double, 4>& box) {
-  if (mesh.nodes.empty()) return {};
+std::array<Vec2, 2> box_around(const Mesh& mesh) {
   Vec2 low = mesh.nodes.front(), high = low;
   for (const Vec2& x : mesh.nodes) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
+  return {low, high};
+}
+
+std::vector<Index> nodes_in_box(const Mesh& mesh, const std::array<double, 4>& box) {
+  if (mesh.nodes.empty()) return {};
+  const auto [low, high] = box_around(mesh);
   const double margin = 1e-9 * (high - low).maxCoeff();
   std::vector<Index> nodes;
   for (Index i = 0; i < static_cast<Index>(mesh.nodes.size()); ++i) {
@@ -115,6 +120,14 @@ std::array<Vec2, 3> shape_gradients(const Mesh& mesh, Index t) {
   for (int k = 0; k < 3; ++k)
     gradient[k] = turn_left(mesh.nodes[corner[(k + 2) % 3]] - mesh.nodes[corner[(k + 1) % 3]]) / twice;
   return gradient;
+}
+
+bool covers(const Mesh& mesh, const Vec2& point) {
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) {
+    const auto value = shape_values(mesh, t, point);
+    if (value[0] >= 0.0 && value[1] >= 0.0 && value[2] >= 0.0) return true;
+  }
+  return false;
 }
 
 std::array<double, 3> shape_values(const Mesh& mesh, Index t, const Vec2& point) {

@@ -2,9 +2,10 @@
 #include <CGAL/Polygon_2.h>
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "cleft/geometry/delaunay.hpp"
+#include "distance.hpp"
 
 namespace cleft::geometry {
 namespace {
@@ -35,6 +36,23 @@ Outline box_outline(const std::array<double, 4>& box) {
   return {
       {{{box[0], box[1]}, {box[2], box[1]}, {box[2], box[3]}, {box[0], box[3]}}, {"bottom", "right", "top", "left"}},
       {}};
+}
+
+bool lies_inside(const Outline& outline, const Vec2& point) {
+  constexpr double kAtBoundary = 1e-6;
+  const auto extent_of = [](const Polygon& polygon) {
+    const auto box = polygon.bbox();
+    return std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  };
+  const double near = kAtBoundary * extent_of(polygon_of(outline.outer));
+  const auto side = [&](const Ring& ring) {
+    for (std::size_t k = 0; k < ring.points.size(); ++k)
+      if (distance_to_segment(ring.points[k], ring.points[(k + 1) % ring.points.size()], point) <= near)
+        return CGAL::ON_BOUNDARY;
+    return polygon_of(ring).bounded_side({point.x(), point.y()});
+  };
+  return side(outline.outer) == CGAL::ON_BOUNDED_SIDE &&
+         std::ranges::all_of(outline.holes, [&](const Ring& hole) { return side(hole) == CGAL::ON_UNBOUNDED_SIDE; });
 }
 
 std::string what_is_wrong(const Outline& outline) {

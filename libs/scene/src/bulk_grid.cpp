@@ -18,8 +18,9 @@ Shown shown_at(const assembly::Model& m, const assembly::State& state, std::size
   const auto& plastic = state.history.plastic;
   const auto remembered = plastic.empty() ? constitutive::PlasticState{} : plastic[number];
   const Mat2 F = assembly::material_deformation(m, static_cast<Index>(number), state.displacement);
-  return {assembly::stress_of(m.material, F, remembered), remembered.accumulated,
-          plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(m.material, F, remembered)};
+  const auto& material = m.material(static_cast<Index>(number));
+  return {assembly::stress_of(material, F, remembered), remembered.accumulated,
+          plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(material, F, remembered)};
 }
 
 class BulkGrid {

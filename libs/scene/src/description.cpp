@@ -53,8 +53,43 @@ Json boundary(const BoundarySpec& b) {
   return j;
 }
 
+Json mesh(const StructuredMesh& m) {
+  constexpr std::array kDiagonals{"right", "left", "alternating"};
+  Json j{{"kind", "structured"},
+         {"box", m.box},
+         {"cells", m.cells},
+         {"diagonal", kDiagonals[static_cast<int>(m.diagonal)]}};
+  if (m.focus) j["focus"] = {{"box", m.focus->box}, {"share", m.focus->share}};
+  return j;
+}
+
+Json ring(const geometry::Ring& r) {
+  Json j = Json::array();
+  for (const Vec2& p : r.points) j.push_back(point(p));
+  return j;
+}
+
+Json mesh(const DelaunayMesh& m) {
+  Json j{{"kind", "delaunay"},
+         {"outline", ring(m.outline.outer)},
+         {"names", m.outline.outer.names},
+         {"holes", Json::array()}};
+  for (const auto& hole : m.outline.holes) j["holes"].push_back(ring(hole));
+  j.update({{"size", m.size},
+            {"crack_size", m.crack_size},
+            {"tip_size", m.tip_size},
+            {"gradation", m.gradation},
+            {"refine", m.refine}});
+  return j;
+}
+
+Json mesh(const GmshMesh& m) { return {{"kind", "gmsh"}, {"file", m.file}, {"hash", m.hash}}; }
+
 Json material(const MaterialSpec& m) {
   Json j{{"model", m.model}, {"young", m.young}, {"poisson", m.poisson}};
+  if (m.region && m.region->crack.empty()) j["region"] = m.region->name;
+  if (m.region && !m.region->crack.empty())
+    j["region"] = {{"crack", m.region->crack}, {"side", m.region->side == geometry::Side::Left ? "left" : "right"}};
   if (m.model == "j2") j.update({{"yield_stress", m.yield_stress}, {"hardening", m.hardening}});
   if (m.model == "drucker-prager")
     j.update(
@@ -64,14 +99,12 @@ Json material(const MaterialSpec& m) {
 }
 
 Json physics(const Scene& s) {
-  constexpr std::array kDiagonals{"right", "left", "alternating"};
   Json j;
-  j["mesh"] = {{"kind", "structured"},
-               {"box", s.mesh.box},
-               {"cells", s.mesh.cells},
-               {"diagonal", kDiagonals[static_cast<int>(s.mesh.diagonal)]}};
-  if (s.mesh.focus) j["mesh"]["focus"] = {{"box", s.mesh.focus->box}, {"share", s.mesh.focus->share}};
-  j["material"] = material(s.material);
+  j["mesh"] = std::visit([](const auto& kind) { return mesh(kind); }, s.mesh.kind);
+  if (s.materials.size() == 1)
+    j["material"] = material(s.materials.front());
+  else
+    for (const auto& m : s.materials) j["material"].push_back(material(m));
   j["formulation"] = {{"kinematics", s.kinematics == Kinematics::Small ? "small" : "finite"},
                       {"f_bar", s.f_bar},
                       {"tip_enrichment", s.tip_enrichment}};
@@ -111,6 +144,7 @@ double Amplitude::operator()(double load) const {
 }
 
 bool is_plastic(const MaterialSpec& m) { return m.model == "j2" || m.model == "drucker-prager"; }
+bool is_viscous(const MaterialSpec& m) { return m.viscosity > 0.0; }
 
 std::array<bool, 2> BoundarySpec::components() const {
   const bool both = affine || field || rotation;
@@ -123,9 +157,11 @@ std::string to_json(const Scene& scene) {
   return j.dump(2, ' ', false, Json::error_handler_t::replace);  // file names may be anything
 }
 
-std::string scene_hash(const Scene& scene) {
+std::string scene_hash(const Scene& scene) { return hash_of(physics(scene).dump()); }
+
+std::string hash_of(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  for (const unsigned char c : physics(scene).dump()) hash = (hash ^ c) * 1099511628211ULL;
+  for (const unsigned char c : bytes) hash = (hash ^ c) * 1099511628211ULL;
   return fmt::format("{:016x}", hash);
 }
 

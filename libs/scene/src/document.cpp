@@ -242,6 +242,15 @@ std::string Section::text(std::string_view key) const {
   return *node(key).value<std::string>();
 }
 
+std::vector<std::string> Section::texts(std::string_view key) const {
+  std::vector<std::string> out;
+  for (const auto& item : *array(key)) {
+    if (!item.is_string()) fail(key, "wrong shape; allowed: an array of texts");
+    out.push_back(*item.value<std::string>());
+  }
+  return out;
+}
+
 std::string Section::choice(std::string_view key, const std::vector<std::string>& allowed) const {
   std::string value = text(key);
   std::string list;
@@ -272,20 +281,32 @@ const toml::array* Section::array(std::string_view key) const {
   return node(key).as_array();
 }
 
-std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {
-  const auto* array = node(key).as_array();
+std::vector<std::array<double, 2>> Section::pairs_of(const toml::node& list, const std::string& name) const {
   const char* allowed = "an array of pairs of numbers, [[a, b], ...]";
-  if (!array) fail(key, fmt::format("wrong shape; allowed: {}", allowed));
+  const auto wrong = [&](const toml::node& where, const std::string& which) {
+    throw InputError(document_->locate(where, path(name)), path(which),
+                     fmt::format("wrong shape; allowed: {}", allowed));
+  };
+  const auto* array = list.as_array();
+  if (!array) wrong(list, name);
   std::vector<std::array<double, 2>> rows;
   for (std::size_t k = 0; k < array->size(); ++k) {
     const auto* row = (*array)[k].as_array();
-    const std::string name = fmt::format("{}[{}]", key, k);
-    if (!row || row->size() != 2)
-      throw InputError(document_->locate((*array)[k], path(key)), path(name),
-                       fmt::format("wrong shape; allowed: {}", allowed));
-    rows.push_back({number_of((*row)[0], name, allowed), number_of((*row)[1], name, allowed)});
+    const std::string which = fmt::format("{}[{}]", name, k);
+    if (!row || row->size() != 2) wrong((*array)[k], which);
+    rows.push_back({number_of((*row)[0], which, allowed), number_of((*row)[1], which, allowed)});
   }
   return rows;
+}
+
+std::vector<std::array<double, 2>> Section::pairs(std::string_view key) const {
+  return pairs_of(node(key), std::string(key));
+}
+
+std::vector<std::vector<std::array<double, 2>>> Section::lists_of_pairs(std::string_view key) const {
+  std::vector<std::vector<std::array<double, 2>>> out;
+  for (const auto& item : *array(key)) out.push_back(pairs_of(item, fmt::format("{}[{}]", key, out.size())));
+  return out;
 }
 
 Vec2 Section::point(std::string_view key) const {

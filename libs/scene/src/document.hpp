@@ -51,6 +51,8 @@ class Section {
   int integer_or(std::string_view key, int fallback, int least, int most) const;
   bool flag_or(std::string_view key, bool fallback) const;
   std::string text(std::string_view key) const;
+  bool is_text(std::string_view key) const { return node(key).is_string(); }
+  std::vector<std::string> texts(std::string_view key) const;
   /// A text out of a list.
   std::string choice(std::string_view key, const std::vector<std::string>& allowed) const;
   std::vector<double> numbers(std::string_view key, std::optional<std::size_t> count) const;
@@ -60,6 +62,8 @@ class Section {
   const toml::array* array(std::string_view key) const;
   /// Rows of two numbers.
   std::vector<std::array<double, 2>> pairs(std::string_view key) const;
+  /// Arrays of rows of two numbers.
+  std::vector<std::vector<std::array<double, 2>>> lists_of_pairs(std::string_view key) const;
   Vec2 point(std::string_view key) const;
   std::optional<Section> section(std::string_view key, const std::string& kind) const;
   /// [[key]], or a single [key].
@@ -70,6 +74,7 @@ class Section {
 
  private:
   const toml::node& node(std::string_view key) const;
+  std::vector<std::array<double, 2>> pairs_of(const toml::node& node, const std::string& name) const;
   double number_of(const toml::node& node, std::string_view key, const char* allowed) const;
 
   const Document* document_;

@@ -40,11 +40,11 @@ struct Manufactured {
 void add_loads_of(const FieldSpec& spec, assembly::Model& model) {
   const FieldLoads loads = loads_of(spec);
   if (loads == FieldLoads::None) return;
-  const Field field = make_field(spec, model.constants());
+  const Field field = make_field(spec, model.constants(0));
   // mesh, cells and faces are what the integration needs
   const auto copy = std::make_shared<const assembly::Model>(model);
   model.dead_loads.emplace_back([copy, field, loads](double load) -> VecX {
-    const Manufactured solution{field, copy->material, load, step_of(*copy)};
+    const Manufactured solution{field, copy->material(0), load, step_of(*copy)};
     VecX force =
         body_force(*copy, [&](const Vec2& X, geometry::MaybeSide side) { return solution.body_force(X, side); });
     if (loads == FieldLoads::BodyAndFaces)
@@ -57,7 +57,7 @@ void add_loads_of(const FieldSpec& spec, assembly::Model& model) {
 
 ErrorNorms error_norms(const assembly::Model& m, const Field& exact, double factor, const VecX& displacement) {
   ErrorNorms out;
-  const auto c = m.constants();
+  const auto c = m.constants(0);
   const auto energy = [&](const Mat2& g) {
     const Mat2 e = 0.5 * (g + g.transpose());
     return c.lambda * e.trace() * e.trace() + 2.0 * c.mu * e.squaredNorm();

@@ -15,8 +15,14 @@ namespace {
 using enrichment::FacePiece, enrichment::Intensities, enrichment::PlaneStrain;
 using geometry::Side;
 
-PlaneStrain body_of(const assembly::Model& m) {
-  const auto& c = m.constants();
+// Any material point in the ball of a tip: they are all of one material (fill_with_materials).
+Index point_near(const assembly::Model& m, Index tip) {
+  const auto at = std::ranges::find(m.tip_points, tip, &enrichment::TipPoint::tip);
+  return static_cast<Index>(m.cells.size()) + static_cast<Index>(at - m.tip_points.begin());
+}
+
+PlaneStrain body_of(const assembly::Model& m, Index tip) {
+  const auto& c = m.constants(point_near(m, tip));
   return {c.mu, 0.5 * c.lambda / (c.lambda + c.mu)};
 }
 
@@ -97,20 +103,21 @@ Intensities by_integral(const assembly::LoadStepper& stepper, Index tip) {
   const auto& m = stepper.model();
   const auto& ball = m.cut.tips[tip];
   const VecX& u = stepper.state().displacement;
+  const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
     const Mat2 F = point.deformation(u);
-    return {F - Mat2::Identity(), assembly::stress_of(m.material, F).in_plane};
+    return {F - Mat2::Identity(), assembly::stress_of(material, F).in_plane};
   };
   auto pieces = tractions(stepper, ball.crack);
   if (is_closed(stepper, ball)) smooth(ball, pieces);
-  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m));
+  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip));
 }
 
 Intensities by_faces(const assembly::LoadStepper& stepper, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
   const auto& m = stepper.model();
   const auto& ball = m.cut.tips[tip];
-  const auto body = body_of(m);
+  const auto body = body_of(m, tip);
   const Vec2 ahead = ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = stepper.state().displacement;

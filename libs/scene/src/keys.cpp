@@ -19,11 +19,20 @@ constexpr std::array kKeys = {
     Key{"", "exact", "section", "an exact solution to measure errors against"},
     Key{"", "loading", "section", "increments and outputs"},
     Key{"", "solver", "section", "tolerances"},
-    Key{"mesh", "kind", "text", "structured"},
+    Key{"mesh", "kind", "text", "structured | delaunay | gmsh"},
     Key{"mesh", "box", "4 numbers", "xmin, ymin, xmax, ymax, m"},
     Key{"mesh", "cells", "2 integers", "cells across and up, two triangles each"},
     Key{"mesh", "diagonal", "text", "right (lower left to upper right) | left | alternating"},
     Key{"mesh", "focus", "table", "where the cells are small"},
+    Key{"mesh", "outline", "array of points", "of delaunay, in place of box: the body's polygon, m"},
+    Key{"mesh", "names", "array of texts", "of an outline: each edge's boundary; default edge1, edge2, ..."},
+    Key{"mesh", "holes", "array of polygons", "of delaunay, m; boundaries hole1, hole2, ..."},
+    Key{"mesh", "size", "number", "of delaunay: longest edge, m"},
+    Key{"mesh", "crack_size", "number", "of delaunay: longest edge along cracks, m; default size"},
+    Key{"mesh", "tip_size", "number", "of delaunay: longest edge at tips, m; default crack_size"},
+    Key{"mesh", "gradation", "number", "of delaunay: growth of the size per distance; default 0.25"},
+    Key{"mesh", "refine", "number", "of delaunay: divides all sizes; default 1"},
+    Key{"mesh", "file", "text", "of gmsh: a .msh file, relative to the scene"},
     Key{"mesh.focus", "box", "4 numbers", "xmin, ymin, xmax, ymax, m"},
     Key{"mesh.focus", "share", "number", "of the cells in each direction that lie in the box; default 0.6"},
     Key{"material", "model", "text", "hencky | neo-hookean | j2 | drucker-prager"},
@@ -35,6 +44,9 @@ constexpr std::array kKeys = {
     Key{"material", "dilatancy", "number", "of drucker-prager, b"},
     Key{"material", "hardening", "number", "Pa: uniaxial modulus of j2, d alpha/d gamma of drucker-prager"},
     Key{"material", "viscosity", "number", "Pa: stress beyond yield per plastic multiplier and unit of the load"},
+    Key{"material", "region", "text or table", "the part of the body that it fills; default: all that others leave"},
+    Key{"material.region", "crack", "text", "name of a crack that divides the body"},
+    Key{"material.region", "side", "text", "left | right of that crack"},
     Key{"formulation", "kinematics", "text", "finite | small"},
     Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
     Key{"formulation", "f_bar", "true or false", "patches of two triangles share their change of volume"},
@@ -86,6 +98,7 @@ constexpr std::array kKeys = {
     Key{"study", "scene", "text", "scene file, relative to the study"},
     Key{"study", "set", "array of texts", "overrides of all runs, KEY=VALUE"},
     Key{"study", "cells", "array of pairs", "mesh.cells of each mesh"},
+    Key{"study", "refine", "array of numbers", "mesh.refine of each mesh"},
     Key{"study", "sweep", "table", "a key of the scene that is varied as well"},
     Key{"study", "quantity", "array of sections", "what is followed over the meshes"},
     Key{"study.sweep", "key", "text", "dotted key of the scene"},
@@ -104,11 +117,7 @@ constexpr std::array kKeys = {
     Key{"study.quantity", "limit_within", "2 numbers", "the study fails where the limit is outside"},
 };
 
-constexpr std::array<std::array<std::string_view, 2>, 5> kLaterKeys = {{
-    {"mesh", "size"},
-    {"mesh", "refine"},
-    {"mesh", "file"},
-    {"material", "region"},
+constexpr std::array<std::array<std::string_view, 2>, 1> kLaterKeys = {{
     {"crack", "growth"},
 }};
 

@@ -4,54 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
 #include "cleft/assembly/patches.hpp"
-#include "cleft/geometry/lines.hpp"
 #include "exact.hpp"
 #include "loads.hpp"
+#include "materials.hpp"
+#include "meshing.hpp"
 #include "supports.hpp"
 
 namespace cleft::scene {
 namespace {
-
-constexpr double kSineTolerance = 0.01;  // of the element size: how far the sampled curve may be from the sine
-
-geometry::Mesh make_mesh(const MeshSpec& spec) {
-  if (!spec.focus) return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal);
-  const auto lines = [&](int k) {
-    const auto& box = spec.focus->box;
-    return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k], {box[k], box[k + 2], spec.focus->share});
-  };
-  return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
-}
-
-double element_size(const geometry::Mesh& mesh, Index t) { return std::sqrt(2.0 * geometry::triangle_area(mesh, t)); }
-
-double smallest_element(const geometry::Mesh& mesh) {
-  double out = element_size(mesh, 0);
-  for (Index t = 1; t < static_cast<Index>(mesh.triangles.size()); ++t) out = std::min(out, element_size(mesh, t));
-  return out;
-}
-
-std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, const geometry::Mesh& mesh) {
-  if (!spec.sine) return spec.points;
-  try {
-    return geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude, spec.sine->periods,
-                                kSineTolerance * smallest_element(mesh));
-  } catch (const InputError&) {
-    throw InputError(spec.at, fmt::format("crack[{}].amplitude", number),
-                     "the curve is too long for this mesh; allowed: amplitudes and periods of the body's size");
-  }
-}
-
-std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh) {
-  std::vector<geometry::Crack> cracks;
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, mesh), scene.tip_enrichment});
-  return cracks;
-}
 
 geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
                               const std::vector<geometry::Crack>& cracks) {
@@ -63,22 +28,6 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
         throw InputError(scene.cracks[k].at, fmt::format("crack[{}] '{}'", k, error.key()), error.problem());
     throw;
   }
-}
-
-assembly::Material material_of(const MaterialSpec& spec, Kinematics kinematics) {
-  const bool small = kinematics == Kinematics::Small;
-  const auto constants = constitutive::lame(spec.young, spec.poisson);
-  const auto plastic = [&](constitutive::DruckerPrager law) -> assembly::Material {
-    law.viscosity = spec.viscosity;
-    if (small) return constitutive::SmallPlastic{law};
-    return constitutive::FinitePlastic{law};
-  };
-  if (spec.model == "j2") return plastic(constitutive::von_mises(constants, spec.yield_stress, spec.hardening));
-  if (spec.model == "drucker-prager")
-    return plastic({constants, spec.cohesion, spec.friction, spec.dilatancy, spec.hardening});
-  if (small) return constitutive::LinearElastic{constants};
-  if (spec.model == "hencky") return constitutive::Hencky{constants};
-  return constitutive::NeoHookean{constants};
 }
 
 void set_up_contact(const Scene& scene, assembly::Model& m) {
@@ -178,7 +127,8 @@ std::vector<double> loads_to_compare(const BoundarySpec& a, const BoundarySpec& 
 
 void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
   constexpr double kTolerance = 1e-12;
-  const Vec2 extent(scene.mesh.box[2] - scene.mesh.box[0], scene.mesh.box[3] - scene.mesh.box[1]);
+  const auto [low, high] = geometry::box_around(m.mesh);
+  const double extent = (high - low).norm();
   std::vector<Index> source(m.unknowns.components(), kNone);
   for (Index p = 0; p < static_cast<Index>(m.prescribed.size()); ++p)
     for (const Index unknown : m.prescribed[p].unknowns)
@@ -193,7 +143,7 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
         for (const double load : loads_to_compare(scene.boundaries[p], scene.boundaries[first])) {
           const double gap = std::fabs(assembly::prescribed_value(m, m.prescribed[p], unknown, load)[i] -
                                        assembly::prescribed_value(m, m.prescribed[first], unknown, load)[i]);
-          if (gap > kTolerance * extent.norm())
+          if (gap > kTolerance * extent)
             throw InputError(
                 scene.boundaries[p].at, fmt::format("boundary[{}]", p),
                 fmt::format("prescribes u{} at the node ({:.6g}, {:.6g}) unlike boundary[{}] '{}', by {:.3g} m at load "
@@ -206,32 +156,41 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
 }  // namespace
 
 std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model) {
-  std::vector<double> size(scene.cracks.size(), 0.0);
+  constexpr double kNoSide = std::numeric_limits<double>::infinity();
+  std::vector<double> size(scene.cracks.size(), 0.0), young(scene.cracks.size(), kNoSide);
   std::vector<int> count(scene.cracks.size(), 0);
   for (const auto& element : model.cut.elements) {
     size[element.crack] += element_size(model.mesh, element.element);
     ++count[element.crack];
   }
-  for (std::size_t k = 0; k < size.size(); ++k) size[k] = scene.material.young * count[k] / size[k];
+  assembly::for_each_material_point(model, [&](std::size_t p, const auto& point, double) {
+    const Index cut = model.cut.cut_of_element[point.element];
+    if (cut == kNone) return;
+    double& softest = young[model.cut.elements[cut].crack];
+    softest = std::min(softest, scene.materials[model.material_of.empty() ? 0 : model.material_of[p]].young);
+  });
+  for (std::size_t k = 0; k < size.size(); ++k) size[k] = young[k] * count[k] / size[k];
   return size;
 }
 
 assembly::Model build_model(const Scene& scene) {
   assembly::Model m;
-  m.mesh = make_mesh(scene.mesh);
+  m.mesh = make_mesh(scene);
   m.cracks = make_cracks(scene, m.mesh);
   m.cut = cut_located(scene, m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
-  if (scene.f_bar) m.mate = assembly::pair_cells(m.mesh, m.cells);
-  const auto constants = constitutive::lame(scene.material.young, scene.material.poisson);
-  m.material = material_of(scene.material, scene.kinematics);
+  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns);
+  fill_with_materials(scene, m);
+  const auto constants = m.constants(0);  // a field is only allowed where it is the only one
+  if (scene.f_bar) m.mate = assembly::pair_cells(m);
   if (!scene.cracks.empty()) set_up_contact(scene, m);
 
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const auto& b = scene.boundaries[k];
     if (b.field) refuse_reversed_cracks(*b.field, m.cracks);
+    if (!b.box) require_boundary(m.mesh, b.on, b.at, fmt::format("boundary[{}].on", k));
     auto nodes = b.box ? geometry::nodes_in_box(m.mesh, *b.box) : geometry::boundary_nodes(m.mesh, b.on);
     assembly::Prescribed p{b.name, prescribed_unknowns(m, std::move(nodes)), b.components(),
                            displacement_of(b, constants)};
@@ -245,7 +204,10 @@ assembly::Model build_model(const Scene& scene) {
   if (const auto free = scene.boundaries.empty() ? std::nullopt : free_motion(m))
     throw InputError(scene.boundaries.back().at, "boundary",
                      *free + "; allowed: boundaries that together hold every part in x, in y and against turning");
-  for (const auto& t : scene.tractions) refuse_ball(t, m);
+  for (std::size_t k = 0; k < scene.tractions.size(); ++k) {
+    require_boundary(m.mesh, scene.tractions[k].on, scene.tractions[k].at, fmt::format("traction[{}].on", k));
+    refuse_ball(scene.tractions[k], m);
+  }
   for (const auto& t : scene.tractions)
     m.dead_loads.push_back(
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });

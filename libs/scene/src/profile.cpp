@@ -58,8 +58,8 @@ PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State
     if (plastic[p].accumulated == 0.0) return;
     out.largest_strain = std::fmax(out.largest_strain, plastic[p].accumulated);
     const Mat2 F = assembly::material_deformation(m, static_cast<Index>(p), state.displacement);
-    out.least_localisation =
-        std::fmin(out.least_localisation, assembly::localisation_of(m.material, F, plastic[p]).value);
+    out.least_localisation = std::fmin(
+        out.least_localisation, assembly::localisation_of(m.material(static_cast<Index>(p)), F, plastic[p]).value);
   });
   return out;
 }

@@ -5,87 +5,13 @@
 #include <algorithm>
 #include <set>
 
-#include "cleft/constitutive/drucker_prager.hpp"
-#include "cleft/geometry/lines.hpp"
 #include "document.hpp"
+#include "read_parts.hpp"
 
 namespace cleft::scene {
 namespace {
 
-const Section::Check kPositive = [](double x) { return x > 0.0; };
-const Section::Check kNotNegative = [](double x) { return x >= 0.0; };
-
-MeshSpec::Focus read_focus(const Section& s, const MeshSpec& mesh) {
-  MeshSpec::Focus out;
-  const auto box = s.numbers("box", 4);
-  std::copy(box.begin(), box.end(), out.box.begin());
-  for (int k = 0; k < 2; ++k)
-    if (!(box[k] < box[k + 2]) || box[k] < mesh.box[k] || box[k + 2] > mesh.box[k + 2])
-      s.fail("box", "is empty or leaves the mesh; allowed: xmin < xmax and ymin < ymax within mesh.box");
-  out.share = s.number_or(
-      "share", out.share, [](double x) { return x > 0.0 && x < 1.0; }, "between 0 and 1");
-  for (int k = 0; k < 2; ++k) {
-    try {
-      (void)geometry::graded_lines(mesh.box[k], mesh.box[k + 2], mesh.cells[k], {box[k], box[k + 2], out.share});
-    } catch (const InputError& error) {
-      s.fail("share", error.problem());
-    }
-  }
-  return out;
-}
-
-MeshSpec read_mesh(const Section& s) {
-  MeshSpec out;
-  out.at = s.at();
-  if (s.has("kind")) s.choice("kind", {"structured"});
-  const auto box = s.numbers("box", 4);
-  std::copy(box.begin(), box.end(), out.box.begin());
-  if (!(box[2] > box[0]) || !(box[3] > box[1])) s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
-  const auto cells = s.numbers("cells", 2);
-  for (int k = 0; k < 2; ++k) {
-    if (!s.are_integers("cells") || cells[k] < 1 || cells[k] > 20000)
-      s.fail("cells", "the mesh has no such number of cells; allowed: integers from 1 to 20000");
-    out.cells[k] = static_cast<int>(cells[k]);
-  }
-  constexpr double kMostCells = 1e7;
-  if (cells[0] * cells[1] > kMostCells) s.fail("cells", "too many cells; allowed: at most 1e7 in all");
-  if (s.has("diagonal")) {
-    const auto d = s.choice("diagonal", {"right", "left", "alternating"});
-    out.diagonal = d == "right"  ? geometry::Diagonal::Right
-                   : d == "left" ? geometry::Diagonal::Left
-                                 : geometry::Diagonal::Alternating;
-  }
-  if (const auto f = s.section("focus", "mesh.focus")) out.focus = read_focus(*f, out);
-  return out;
-}
-
-MaterialSpec read_material(const Section& s) {
-  MaterialSpec out;
-  out.model = s.choice("model", {"hencky", "neo-hookean", "j2", "drucker-prager"});
-  out.young = s.number("young", kPositive, "a positive number, Pa");
-  out.poisson = s.number(
-      "poisson", [](double x) { return x > -1.0 && x < 0.5; }, "greater than -1 and less than 0.5");
-  const bool j2 = out.model == "j2", cone = out.model == "drucker-prager";
-  for (const auto& [key, belongs] : {std::pair{"yield_stress", j2},
-                                     {"cohesion", cone},
-                                     {"friction", cone},
-                                     {"dilatancy", cone},
-                                     {"hardening", j2 || cone},
-                                     {"viscosity", j2 || cone}})
-    if (s.has(key) && !belongs) s.fail(key, fmt::format("is none of model = \"{}\"", out.model));
-  if (j2) out.yield_stress = s.number("yield_stress", kPositive, "a positive number, Pa");
-  if (cone) {
-    out.cohesion = s.number("cohesion", kPositive, "a positive number, Pa");
-    out.friction = s.number("friction", kNotNegative, "0 or greater");
-    out.dilatancy = s.number("dilatancy", kNotNegative, "0 or greater");
-  }
-  if (j2 || cone) out.hardening = s.number_or("hardening", 0.0, kNotNegative, "0 or greater, Pa");
-  if (j2 || cone) out.viscosity = s.number_or("viscosity", 0.0, kNotNegative, "0 or greater, Pa");
-  if (cone && !constitutive::always_returns({constitutive::lame(out.young, out.poisson), out.cohesion, out.friction,
-                                             out.dilatancy, out.hardening}))
-    s.fail("dilatancy", "0 leaves no return to the apex of a cone; allowed: greater than 0 where friction is");
-  return out;
-}
+const char* const kOneMaterial = "the fields are those of one body; allowed with a single material only";
 
 void read_formulation(const Section& s, Scene& out) {
   const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
@@ -134,10 +60,11 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
   return out;
 }
 
-void check_on(const Section& s, const std::string& on) {
-  const std::vector<std::string> names{"left", "right", "bottom", "top"};
-  if (std::find(names.begin(), names.end(), on) == names.end())
-    s.fail("on", fmt::format("there is no boundary '{}'; allowed: left, right, bottom, top", on));
+// The boundaries of a mesh that is read from a file show only then.
+void check_on(const Section& s, const std::string& on, const MeshSpec& mesh) {
+  const auto names = boundary_names(mesh);
+  if (names && !names->contains(on))
+    s.fail("on", fmt::format("there is no boundary '{}'; allowed: {}", on, fmt::join(*names, ", ")));
 }
 
 std::array<double, 4> read_box(const Section& s) {
@@ -146,13 +73,13 @@ std::array<double, 4> read_box(const Section& s) {
   return {v[0], v[1], v[2], v[3]};
 }
 
-BoundarySpec read_boundary(const Section& s, int& boxes) {
+BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
   BoundarySpec out;
   out.at = s.at();
   if (s.has("on") == s.has("box")) s.fail("on", "says where the boundary is; allowed: exactly one of on and box");
   if (s.has("on")) {
     out.on = s.text("on");
-    check_on(s, out.on);
+    check_on(s, out.on, mesh);
     out.name = out.on;
   } else {
     out.box = read_box(s);
@@ -237,45 +164,45 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   out.file = file;
   if (root.has("title")) out.title = root.text("title");
   root.require("mesh");
-  out.mesh = read_mesh(*root.section("mesh", "mesh"));
+  out.mesh = read_mesh(*root.section("mesh", "mesh"), file);
   root.require("material");
-  const auto materials = root.sections("material", "material");
-  if (materials.empty()) root.fail("material", "empty; allowed: one [material] section");
-  if (materials.size() != 1) root.fail("material", "not available: several materials; allowed: one");
-  out.material = read_material(materials[0]);
+  for (const auto& s : root.sections("material", "material")) out.materials.push_back(read_material(s));
+  if (out.materials.empty()) root.fail("material", "empty; allowed: a [material] section");
+  const bool flows = std::ranges::any_of(out.materials, is_plastic), several = out.materials.size() > 1;
   if (const auto s = root.section("formulation", "formulation")) read_formulation(*s, out);
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
     out.cracks.push_back(read_crack(s, out.cracks.size()));
     if (out.cracks.back().intensities && out.tip_enrichment == 0.0)
       s.fail("intensities", "need the ball of a tip; allowed with formulation.tip_enrichment greater than 0");
-    if (out.cracks.back().intensities && is_plastic(out.material))
+    if (out.cracks.back().intensities && flows)
       s.fail("intensities", "are those of an elastic body; allowed with hencky and neo-hookean only");
     if (!names.insert(out.cracks.back().name).second)
       s.fail("name", fmt::format("'{}' names another crack, too; allowed: distinct names", out.cracks.back().name));
   }
   int boxes = 0;
   for (const auto& s : root.sections("boundary", "boundary")) {
-    out.boundaries.push_back(read_boundary(s, boxes));
+    out.boundaries.push_back(read_boundary(s, out.mesh, boxes));
+    if (out.boundaries.back().field && several) s.fail("field", kOneMaterial);
     if (out.boundaries.back().rotation && out.kinematics == Kinematics::Small)
       s.fail("rotation", "would strain a body at small strain; allowed with kinematics = \"finite\" only");
   }
   check_boundaries(root, out.boundaries);
   for (const auto& s : root.sections("traction", "traction")) {
     TractionSpec t{s.at(), s.text("on"), s.point("value"), s.amplitude()};
-    check_on(s, t.on);
+    check_on(s, t.on, out.mesh);
     out.tractions.push_back(t);
   }
   if (const auto s = root.section("gravity", "gravity"))
     out.gravity = {s->point("value"), s->number("density", kPositive, "a positive number, kg/m^3"), s->amplitude()};
   if (const auto s = root.section("exact", "exact")) {
     out.exact = s->field("solution");
-    if (is_plastic(out.material))
-      s->fail("solution", "the fields are those of elastic bodies; allowed with hencky and neo-hookean only");
+    if (several) s->fail("solution", kOneMaterial);
+    if (flows) s->fail("solution", "the fields are those of elastic bodies; allowed with hencky and neo-hookean only");
   }
   if (const auto s = root.section("loading", "loading")) {
     out.loading = read_loading(*s);
-    if (out.loading.control == assembly::Control::Path && out.material.viscosity > 0.0)
+    if (out.loading.control == assembly::Control::Path && std::ranges::any_of(out.materials, is_viscous))
       s->fail("control", "a path has no time for viscosity; allowed with viscosity: load");
   }
   if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);

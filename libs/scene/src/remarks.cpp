@@ -9,13 +9,10 @@ constexpr double kStiff = 20.0;  // times E/h: measured on the block, see remark
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
-void about_end(const Scene& scene, const std::string& crack, const geometry::CrackEnd& end,
+void about_end(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end,
                std::vector<std::string>& out) {
   if (end.nominal == end.effective) return;
-  const auto& box = scene.mesh.box;
-  const Vec2& x = end.nominal;
-  const bool inside = x.x() > box[0] && x.x() < box[2] && x.y() > box[1] && x.y() < box[3];
-  if (end.kind == geometry::CrackEnd::Kind::Mouth && inside)
+  if (end.kind == geometry::CrackEnd::Kind::Mouth && geometry::covers(mesh, end.nominal))
     out.push_back(fmt::format("{}: the tip {} lies in an element at the boundary; the crack cuts through to {}", crack,
                               at(end.nominal), at(end.effective)));
   else if (end.kind == geometry::CrackEnd::Kind::Tip)
@@ -33,7 +30,7 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
   const auto scale = penalty_scale(scene, model);
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const std::string crack = "crack '" + scene.cracks[k].name + "'";
-    for (const auto& end : model.cut.cracks[k].ends) about_end(scene, crack, end, out);
+    for (const auto& end : model.cut.cracks[k].ends) about_end(model.mesh, crack, end, out);
     const auto& law = model.surfaces.laws[k];
     if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
     if (law.normal_penalty > kStiff * scale[k])

@@ -35,7 +35,7 @@ std::vector<std::string> history_columns(const Scene& scene) {
   columns.insert(columns.end(), {"elastic_energy", "contact_energy", "plastic_dissipation", "viscous_dissipation",
                                  "friction_dissipation", "external_work", "contact_points", "slipping_points",
                                  "max_slip", "min_gap", "max_pressure", "max_plastic_strain"});
-  if (is_plastic(scene.material)) columns.emplace_back("min_localisation");
+  if (std::ranges::any_of(scene.materials, is_plastic)) columns.emplace_back("min_localisation");
   for (const auto& crack : scene.cracks)
     if (crack.intensities) std::ranges::copy(intensity_columns(crack.name), std::back_inserter(columns));
   return columns;
@@ -96,7 +96,7 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
   row += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", e.elastic, e.contact, e.plastic_dissipation,
                      e.viscous_dissipation, e.friction_dissipation, e.external_work, touching, slipping, slip, gap,
                      pressure, extremes.largest_strain);
-  if (assembly::has_memory(model_.material)) row += fmt::format(",{}", extremes.least_localisation);
+  if (model_.has_memory()) row += fmt::format(",{}", extremes.least_localisation);
   for (std::size_t k = 0; k < scene_.cracks.size(); ++k)
     if (scene_.cracks[k].intensities)
       row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));

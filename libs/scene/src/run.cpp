@@ -120,7 +120,7 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
   if (scene.exact && result.end == RunResult::End::Done) {
-    const auto e = error_norms(model, make_field(*scene.exact, model.constants()), stepper.state().load,
+    const auto e = error_norms(model, make_field(*scene.exact, model.constants(0)), stepper.state().load,
                                stepper.state().displacement);
     j["error"] = {{"l2", e.l2},
                   {"l2_relative", e.l2 / e.l2_exact},

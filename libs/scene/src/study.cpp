@@ -79,13 +79,16 @@ Study read_study(const std::string& file) {
   out.file = file;
   if (root.has("title")) out.title = root.text("title");
   out.scene = beside(file, root.text("scene"));
-  if (root.has("set"))
-    for (const auto& item : *root.array("set")) {
-      if (!item.is_string()) root.fail("set", "wrong shape; allowed: an array of texts KEY=VALUE");
-      out.set.push_back(*item.value<std::string>());
-    }
-  for (const auto& row : root.pairs("cells")) out.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
-  if (out.meshes.size() < 2) root.fail("cells", "a sequence needs at least two meshes");
+  if (root.has("set")) out.set = root.texts("set");
+  const char* const meshes = root.has("refine") ? "refine" : "cells";
+  if (root.has("refine") && root.has("cells"))
+    root.fail("refine", "says what the meshes are; allowed: one of cells and refine");
+  out.mesh_key = std::string("mesh.") + meshes;
+  if (root.has("refine"))
+    for (const double value : root.numbers("refine", std::nullopt)) out.meshes.push_back(fmt::format("{}", value));
+  else
+    for (const auto& row : root.pairs("cells")) out.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
+  if (out.meshes.size() < 2) root.fail(meshes, "a sequence needs at least two meshes");
   out.variants = {""};
   if (const auto sweep = root.section("sweep", "study.sweep")) {
     out.sweep_key = sweep->text("key");

@@ -60,11 +60,7 @@ struct Hold {
 }  // namespace
 
 std::optional<std::string> free_motion(const assembly::Model& m) {
-  Vec2 low = m.mesh.nodes.front(), high = low;
-  for (const Vec2& node : m.mesh.nodes) {
-    low = low.cwiseMin(node);
-    high = high.cwiseMax(node);
-  }
+  const auto [low, high] = geometry::box_around(m.mesh);
   const Vec2 centre = 0.5 * (low + high);
   Parts parts = parts_of(m);
   std::map<Index, Hold> holds;

@@ -13,7 +13,7 @@ TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
 }
 
 TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
-  EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).material.young, 9007199254740992.0);
+  EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }
 
 struct Fault {

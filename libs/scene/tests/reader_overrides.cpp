@@ -116,7 +116,7 @@ TEST(SceneOverride, ReplacesKeysAndAddsThemAndTheirSections) {
   const Scene scene = scene_of(kPlain + "[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n",
                                {"mesh.cells=[32,64]", "crack.main.friction=0.7", "boundary.bottom.uy=-0.02",
                                 "crack.0.negative_side=left", "solver.max_iterations=7"});
-  EXPECT_EQ(scene.mesh.cells, (std::array{32, 64}));
+  EXPECT_EQ(std::get<StructuredMesh>(scene.mesh.kind).cells, (std::array{32, 64}));
   EXPECT_EQ(scene.cracks[0].friction, 0.7);
   EXPECT_EQ(scene.cracks[0].negative_side, contact::NegativeSide::Left);
   EXPECT_EQ(scene.boundaries[0].uy, -0.02);

@@ -12,12 +12,13 @@ using Points = std::vector<std::array<double, 2>>;
 TEST(GoodScene, EveryKeyOfTheBlockArrives) {
   const Scene s = scene_of(kBlock);
   EXPECT_EQ(s.title, "Block");
-  EXPECT_EQ(s.mesh.box, (std::array{0.0, 0.0, 0.04, 0.08}));
-  EXPECT_EQ(s.mesh.cells, (std::array{4, 8}));
+  const auto& mesh = std::get<StructuredMesh>(s.mesh.kind);
+  EXPECT_EQ(mesh.box, (std::array{0.0, 0.0, 0.04, 0.08}));
+  EXPECT_EQ(mesh.cells, (std::array{4, 8}));
   EXPECT_EQ(s.mesh.at.line, line_of(kBlock, "[mesh]"));
-  EXPECT_EQ(s.material.model, "hencky");
-  EXPECT_EQ(s.material.young, 1e10);
-  EXPECT_EQ(s.material.poisson, 0.25);
+  EXPECT_EQ(s.materials.at(0).model, "hencky");
+  EXPECT_EQ(s.materials.at(0).young, 1e10);
+  EXPECT_EQ(s.materials.at(0).poisson, 0.25);
   ASSERT_EQ(s.cracks.size(), 1u);
   EXPECT_EQ(s.cracks[0].at.line, line_of(kBlock, "[[crack]]"));
   EXPECT_EQ(s.cracks[0].points, (std::vector<Vec2>{{0.0, 0.01833}, {0.0349, 0.05323}}));
@@ -40,7 +41,7 @@ TEST(GoodScene, EveryKeyOfTheBlockArrives) {
 TEST(GoodScene, WhatIsAbsentHasItsDefault) {
   const Scene s = scene_of(kPlain + "[[crack]]\npoints = [[0, 0.02], [0.01, 0.02]]\n");
   EXPECT_EQ(s.title, "");
-  EXPECT_EQ(s.mesh.diagonal, geometry::Diagonal::Right);
+  EXPECT_EQ(std::get<StructuredMesh>(s.mesh.kind).diagonal, geometry::Diagonal::Right);
   EXPECT_EQ(s.cracks[0].name, "crack1");
   EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Right);
   EXPECT_EQ(s.cracks[0].friction, 0.0);
@@ -55,11 +56,11 @@ TEST(GoodScene, WhatIsAbsentHasItsDefault) {
 
 TEST(GoodScene, IntegersServeAsNumbers) {
   const Scene s = scene_of(replaced(kPlain, "young = 1.0e10", "young = 10_000_000_000"));
-  EXPECT_EQ(s.material.young, 1e10);
+  EXPECT_EQ(s.materials.at(0).young, 1e10);
 }
 
 TEST(GoodScene, ASingleMaterialMayStandInAnArray) {
-  EXPECT_EQ(scene_of(replaced(kPlain, "[material]", "[[material]]")).material.young, 1e10);
+  EXPECT_EQ(scene_of(replaced(kPlain, "[material]", "[[material]]")).materials.at(0).young, 1e10);
 }
 
 TEST(GoodScene, SineCracksKeepTheirCurve) {

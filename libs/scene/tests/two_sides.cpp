@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Heights, BoundaryField, testing::Values("0.53", "0.4", 
 TEST_P(BoundaryField, HoldsANodeAndItsGhostAtTheFieldsOfTheirSides) {
   const Scene scene = scene_of(parted(GetParam()));
   const auto model = build_model(scene);
-  const Field field = make_field(*scene.exact, model.constants());
+  const Field field = make_field(*scene.exact, model.constants(0));
   const auto constraints = assembly::constraints_of(model);
   const VecX values = assembly::prescribed_values(model, constraints, 1.0);
   VecX u = VecX::Zero(model.unknowns.components());
@@ -62,11 +62,11 @@ TEST_P(BoundaryField, LoadsOfASolutionBalanceTheTractionsOfItsBoundary) {
   const auto model = build_model(scene);
   const VecX force = assembly::dead_force(model, 0.7);
   // Around each body the tractions of its outer boundary, its face and its body force add up to nothing.
-  const Field field = make_field(*scene.exact, model.constants());
+  const Field field = make_field(*scene.exact, model.constants(0));
   const double height = std::stod(GetParam());
   const auto piola = [&](const Vec2& X, geometry::Side side) {
     const Mat2 F = Mat2::Identity() + 0.7 * field_gradient(field, X, side, 1e-4);
-    return std::get<constitutive::Hencky>(model.material).respond(F).piola;
+    return std::get<constitutive::Hencky>(model.materials.front()).respond(F).piola;
   };
   for (const auto side : {geometry::Side::Right, geometry::Side::Left}) {
     Vec2 sum = Vec2::Zero();

@@ -51,11 +51,19 @@ std::string outputs_override(const scene::Study& study, const scene::Scene& s) {
 Task task_of(const scene::Study& study, const std::string& mesh, const std::string& variant) {
   Task task;
   task.overrides = study.set;
-  task.overrides.push_back("mesh.cells=" + mesh);
+  task.overrides.push_back(study.mesh_key + "=" + mesh);
   if (!study.sweep_key.empty()) task.overrides.push_back(study.sweep_key + "=" + variant);
   task.overrides.push_back(outputs_override(study, scene::read_scene(study.scene, task.overrides)));
   task.scene = scene::read_scene(study.scene, task.overrides);
   return task;
+}
+
+// Side of a square of two triangles of mean area, metres: the width of square cells.
+double mean_size(const geometry::Mesh& mesh) {
+  const auto count = static_cast<Index>(mesh.triangles.size());
+  double area = 0.0;
+  for (Index t = 0; t < count; ++t) area += geometry::triangle_area(mesh, t);
+  return std::sqrt(2.0 * area / static_cast<double>(count));
 }
 
 bool is_done(const std::string& folder) {
@@ -83,7 +91,7 @@ std::vector<std::string> run_all(const scene::Study& study, const StudyOptions& 
       code = call(command, run.folder + ".log");
     }
     const std::lock_guard lock(one);
-    const std::string name = fmt::format("{}{}{}", run.cells, run.variant.empty() ? "" : " ", run.variant);
+    const std::string name = fmt::format("{}{}{}", run.mesh, run.variant.empty() ? "" : " ", run.variant);
     if (code != 0) failed.push_back(fmt::format("{}: exit code {}, see {}.log", name, code, run.folder));
     if (options.tell)
       options.tell(fmt::format("{} {}", name, run.reused ? "was there" : code == 0 ? "done" : "FAILED"));
@@ -141,18 +149,20 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
       tasks.push_back(task_of(study, mesh, variant));
       const auto& s = tasks.back().scene;
       StudyRun run;
-      run.cells = fmt::format("{}x{}", s.mesh.cells[0], s.mesh.cells[1]);
+      const auto model = scene::build_model(s);  // what only shows on the mesh is said before anything runs
+      const auto* structured = std::get_if<scene::StructuredMesh>(&s.mesh.kind);
+      run.mesh = structured ? fmt::format("{}x{}", structured->cells[0], structured->cells[1]) : "refine " + mesh;
       run.variant = label(variant);
-      run.h = (s.mesh.box[2] - s.mesh.box[0]) / s.mesh.cells[0];
+      run.h = mean_size(model.mesh);
+      run.unknowns = model.unknowns.components();
       // named by all that the result depends on: the scene and the program itself
       run.folder = fmt::format("{}/runs/{}_{}{:08x}", options.directory,
-                               file_name(run.cells + (run.variant.empty() ? "" : "_" + run.variant)),
+                               file_name(run.mesh + (run.variant.empty() ? "" : "_" + run.variant)),
                                scene::scene_hash(s), identity);
       if (!result.runs.empty() && result.runs.back().variant == run.variant && !(run.h < result.runs.back().h))
-        throw InputError({study.file}, "cells", "the meshes must get finer; allowed: coarsest first");
+        throw InputError({study.file}, study.mesh_key, "the meshes must get finer; allowed: coarsest first");
       result.runs.push_back(run);
       check_quantities(study, s);
-      (void)scene::build_model(s);  // what only shows on the mesh is said before anything runs
     }
   std::filesystem::create_directories(options.directory + "/runs");
   result.failed = run_all(study, options, tasks, result.runs);

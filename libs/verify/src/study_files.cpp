@@ -20,14 +20,15 @@ std::string cell(const std::string& text) {
 
 std::string runs_csv(const scene::Study& study, const StudyResult& result) {
   std::string out =
-      "quantity,variant,cells,h,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,folder\n";
+      "quantity,variant,mesh,h,unknowns,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,"
+      "folder\n";
   for (const auto& s : result.series)
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       const auto& r = result.runs[s.runs[k]];
-      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                     cell(study.quantities[s.quantity].name), cell(s.variant), r.cells, r.h, r.value[s.quantity],
-                     s.error[k], s.error[k] / s.scale, r.seconds, r.megabytes, r.increments, r.iterations, r.cuts,
-                     cell(r.folder));
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                     cell(study.quantities[s.quantity].name), cell(s.variant), r.mesh, r.h, r.unknowns,
+                     r.value[s.quantity], s.error[k], s.error[k] / s.scale, r.seconds, r.megabytes, r.increments,
+                     r.iterations, r.cuts, cell(r.folder));
     }
   return out;
 }

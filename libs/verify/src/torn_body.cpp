@@ -11,7 +11,9 @@ namespace {
 assembly::Model torn(const assembly::Model& model) {
   assembly::Model out;
   out.mesh = model.mesh;  // for messages
-  out.material = model.material;
+  out.materials = model.materials;
+  out.material_of = model.material_of;
+  if (!out.material_of.empty()) out.material_of.resize(model.cells.size());
   out.cells = model.cells;
   for (std::size_t c = 0; c < out.cells.size(); ++c)
     for (int k = 0; k < 3; ++k) out.cells[c].unknown[k] = static_cast<Index>(3 * c) + k;

@@ -59,6 +59,7 @@ class Assembler {
   void make_room(const std::vector<contact::Memory>& memory);
   bool has_room(const std::vector<contact::Memory>& memory) const;
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
+  void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);
   template <class Law, class Point, std::size_t unknowns>
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
@@ -68,7 +69,7 @@ class Assembler {
   template <class Law>
   constitutive::Response respond(const Law& law, const Mat2& deformation, const History& history, std::size_t number);
   template <class Law>
-  Index bulk_loop(const Law& law, const VecX& displacement, const History& history);
+  Index bulk_loop(const Law& law, const PointRange& range, const VecX& displacement, const History& history);
 
   const Model& model_;
   contact::Search search_;

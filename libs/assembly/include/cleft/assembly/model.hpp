@@ -3,6 +3,7 @@
 /// increment.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <variant>
@@ -12,21 +13,13 @@
 #include "cleft/constitutive/kinematics.hpp"
 #include "cleft/constitutive/neo_hookean.hpp"
 #include "cleft/contact/surfaces.hpp"
+#include "cleft/enrichment/ghost_penalty.hpp"
 #include "cleft/enrichment/tip_points.hpp"
 
 namespace cleft::assembly {
 
 using Material = std::variant<constitutive::Hencky, constitutive::NeoHookean, constitutive::FinitePlastic,
                               constitutive::LinearElastic, constitutive::SmallPlastic>;
-
-/// Whether the material's strains are small, so that nothing depends on the current configuration.
-bool is_small_strain(const Material& material);
-
-/// Whether the material remembers.
-bool has_memory(const Material& material);
-
-/// Whether the derivative of the stress is symmetric.
-bool is_symmetric(const Material& material);
 
 /// Unknowns whose displacement is prescribed on one named part of the boundary.
 struct Prescribed {
@@ -47,29 +40,69 @@ struct Model {
   enrichment::Unknowns unknowns;
   std::vector<enrichment::Cell> cells;
   std::vector<enrichment::TipPoint> tip_points;  ///< of the triangles in the balls of tips, which have no cells
+  std::vector<enrichment::GhostTie> ties;        ///< where cuts are small
   std::vector<Index> mate;                       ///< of each cell, in a patch (patches.hpp); empty without patches
   contact::Surfaces surfaces;                    ///< no faces where the scene has no crack
-  Material material;
+  std::vector<Material> materials;               ///< at least one; strains are small in all of them or in none
+  std::vector<Index> material_of;  ///< of each material point, its number in `materials`; empty where there is one
   std::vector<Prescribed> prescribed;
   std::vector<DeadLoad> dead_loads;
 
   /// Points at which the material is evaluated: the cells, then the points of tips.
   std::size_t material_points() const { return cells.size() + tip_points.size(); }
-  bool has_contact() const { return !surfaces.points.empty(); }
-  /// Forces are linear in the displacements: one factorisation serves all loads.
-  bool is_linear() const { return !has_contact() && is_small_strain(material) && !has_memory(material); }
-  const constitutive::Lame& constants() const {
-    return std::visit([](const auto& m) -> const constitutive::Lame& { return m.constants; }, material);
+  const Material& material(Index point) const { return materials[material_of.empty() ? 0 : material_of[point]]; }
+  const constitutive::Lame& constants(Index point) const {
+    return std::visit([](const auto& m) -> const constitutive::Lame& { return m.constants; }, material(point));
   }
+  bool has_contact() const { return !surfaces.points.empty(); }
+  /// Strains are small: nothing depends on the current configuration.
+  bool is_small_strain() const;
+  /// Some material remembers.
+  bool has_memory() const;
+  /// The derivative of the stress is symmetric everywhere.
+  bool has_symmetric_stress() const;
+  /// Forces are linear in the displacements: one factorisation serves all loads.
+  bool is_linear() const { return !has_contact() && is_small_strain() && !has_memory(); }
+  /// The largest modulus of uniaxial strain, Pa.
+  double stiffness() const;
 };
 
-/// Calls visit(number, point, weight) for every material point: a Cell with its area, or a TipPoint with its weight
-/// (m^2).
+/// Modulus times weight of a tie, N/m times m: its energy is half of this times the jump squared.
+double tie_stiffness(const Model& model, const enrichment::GhostTie& tie);
+
+/// Material points [first, last).
+struct PointRange {
+  std::size_t first, last;
+};
+
+/// Calls visit(number, point, weight) for material points: a Cell with its area, or a TipPoint with its weight (m^2).
+template <class Visit>
+void for_each_material_point(const Model& model, const PointRange& range, const Visit& visit) {
+  const std::size_t cells = model.cells.size();
+  std::size_t p = range.first;
+  for (; p < std::min(range.last, cells); ++p) visit(p, model.cells[p], model.cells[p].area);
+  for (; p < range.last; ++p) visit(p, model.tip_points[p - cells], model.tip_points[p - cells].weight);
+}
 template <class Visit>
 void for_each_material_point(const Model& model, const Visit& visit) {
-  std::size_t number = 0;
-  for (const auto& cell : model.cells) visit(number++, cell, cell.area);
-  for (const auto& point : model.tip_points) visit(number++, point, point.weight);
+  for_each_material_point(model, {0, model.material_points()}, visit);
+}
+
+/// Calls visit(law, range) for each run of consecutive points of one material, with that material's own type: what is
+/// done for a point then knows its law at compile time.
+template <class Visit>
+void for_each_run(const Model& model, const Visit& visit) {
+  const std::size_t points = model.material_points();
+  const auto& of = model.material_of;
+  for (std::size_t first = 0, last = 0; first < points; first = last) {
+    last = of.empty() ? points : first + 1;
+    while (last < points && of[last] == of[first]) ++last;
+    std::visit(
+        [&](const auto& law) {
+          visit(law, PointRange{first, last});
+        },
+        model.material(static_cast<Index>(first)));
+  }
 }
 
 /// Gradient of a displacement at a material point; not F - 1, which would round at 1.

@@ -17,7 +17,7 @@ namespace cleft::assembly {
 
 /// For every cell the other one of its patch, or kNone. Two whole cells are a patch if their longest edge is the same
 /// and no crack lies between; in a structured mesh those are the two triangles of a rectangle.
-std::vector<Index> pair_cells(const geometry::Mesh& mesh, const std::vector<enrichment::Cell>& cells);
+std::vector<Index> pair_cells(const Model& model);
 
 /// A cell in its patch, and the rate of J_P there: d ln J_P = share by_own : dF + (1 - share) by_other : dF_other. At
 /// small strain `stretch` is 1, and theta_P takes the place of ln J_P.

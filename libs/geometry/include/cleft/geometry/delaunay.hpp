@@ -29,6 +29,9 @@ Outline box_outline(const std::array<double, 4>& box);
 /// another, a hole outside of the outer ring or within another. By exact predicates.
 std::string what_is_wrong(const Outline& outline);
 
+/// Whether a point lies within the body and not on its boundary (up to 1e-6 of the body's extent).
+bool lies_inside(const Outline& outline, const Vec2& point);
+
 /// Smallest angle that refinement leaves, degrees, away from corners of the outline sharper than 60 degrees.
 inline constexpr double kLeastAngle = 20.7;
 

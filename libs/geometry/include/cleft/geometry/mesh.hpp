@@ -35,6 +35,9 @@ Mesh mesh_of_lines(const std::vector<double>& x, const std::vector<double>& y, D
 /// The nodes of a named boundary, ascending. Throws std::out_of_range for an unknown name.
 std::vector<Index> boundary_nodes(const Mesh& mesh, const std::string& name);
 
+/// Lower left and upper right corner of the box around a mesh, metres.
+std::array<Vec2, 2> box_around(const Mesh& mesh);
+
 /// The nodes inside the closed box xmin, ymin, xmax, ymax, widened by 1e-9 of the mesh's extent; ascending.
 std::vector<Index> nodes_in_box(const Mesh& mesh, const std::array<double, 4>& box);
 
@@ -51,6 +54,9 @@ double triangle_area(const Mesh& mesh, Index t);
 
 /// Constant gradients of the three shape functions of triangle `t`, 1/m.
 std::array<Vec2, 3> shape_gradients(const Mesh& mesh, Index t);
+
+/// Whether a point lies in some triangle, its edges included.
+bool covers(const Mesh& mesh, const Vec2& point);
 
 /// The three shape functions of triangle `t` at `point` (also outside, extrapolated).
 std::array<double, 3> shape_values(const Mesh& mesh, Index t, const Vec2& point);

@@ -6,17 +6,18 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "cleft/assembly/stepping.hpp"
 #include "cleft/contact/surfaces.hpp"
-#include "cleft/geometry/mesh.hpp"
+#include "cleft/geometry/delaunay.hpp"
 #include "cleft/support/error.hpp"
 
 namespace cleft::scene {
 
-struct MeshSpec {
-  Location at;
+struct StructuredMesh {
   std::array<double, 4> box{};  ///< xmin, ymin, xmax, ymax, metres
   std::array<int, 2> cells{};
   geometry::Diagonal diagonal = geometry::Diagonal::Right;
@@ -27,9 +28,37 @@ struct MeshSpec {
   std::optional<Focus> focus;
 };
 
+/// Triangles as large as allowed: sizes are of the longest edge, metres.
+struct DelaunayMesh {
+  geometry::Outline outline;
+  double size = 0.0;
+  double crack_size = 0.0;  ///< along the cracks
+  double tip_size = 0.0;    ///< at the ends of cracks inside the body
+  double gradation = 0.25;  ///< growth of the size per distance from cracks and tips
+  double refine = 1.0;      ///< divides all sizes
+};
+
+struct GmshMesh {
+  std::string file;
+  std::string hash;  ///< of what the file holds
+};
+
+struct MeshSpec {
+  Location at;
+  std::variant<StructuredMesh, DelaunayMesh, GmshMesh> kind;
+};
+
 struct MaterialSpec {
-  std::string model;   ///< hencky | neo-hookean | j2 | drucker-prager
-  double young = 0.0;  ///< Pa
+  Location at;
+  /// The part of the body that it fills: a region of the mesh, or one side of a crack that divides the body.
+  struct Region {
+    std::string name;  ///< empty for a side
+    std::string crack;
+    geometry::Side side = geometry::Side::Left;
+  };
+  std::optional<Region> region;  ///< none: all that no other material fills
+  std::string model;             ///< hencky | neo-hookean | j2 | drucker-prager
+  double young = 0.0;            ///< Pa
   double poisson = 0.0;
   double yield_stress = 0.0;                               ///< of j2, uniaxial, Pa
   double cohesion = 0.0, friction = 0.0, dilatancy = 0.0;  ///< of drucker-prager: alpha (Pa), beta, b
@@ -39,6 +68,7 @@ struct MaterialSpec {
 
 /// Whether the material flows.
 bool is_plastic(const MaterialSpec& material);
+bool is_viscous(const MaterialSpec& material);
 
 enum class Kinematics : std::uint8_t { Finite, Small };
 
@@ -123,7 +153,7 @@ struct Scene {
   std::string file;
   std::string title;
   MeshSpec mesh;
-  MaterialSpec material;
+  std::vector<MaterialSpec> materials;  ///< at least one
   Kinematics kinematics = Kinematics::Finite;
   bool f_bar = false;           ///< patches of two triangles share their change of volume
   double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
@@ -141,5 +171,8 @@ std::string to_json(const Scene& scene);
 
 /// Sixteen hexadecimal digits that change with anything that the solution depends on (not with title or file name).
 std::string scene_hash(const Scene& scene);
+
+/// Sixteen hexadecimal digits that change with the bytes.
+std::string hash_of(std::string_view bytes);
 
 }  // namespace cleft::scene

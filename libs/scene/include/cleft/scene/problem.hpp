@@ -12,7 +12,8 @@ namespace cleft::scene {
 /// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
 assembly::Model build_model(const Scene& scene);
 
-/// Young's modulus over the mean size of the elements that each crack cuts, Pa/m: the default of both penalties.
+/// Young's modulus over the mean size of the elements that each crack cuts, Pa/m: the default of both penalties. Of
+/// several materials along a crack the softest counts.
 std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model);
 
 /// What is allowed but may surprise, one line each: ends of cracks that were moved, no friction, penalties so stiff

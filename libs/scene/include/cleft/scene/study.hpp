@@ -37,7 +37,8 @@ struct Study {
   std::string file, title;
   std::string scene;                  ///< file
   std::vector<std::string> set;       ///< overrides of all runs, KEY=VALUE
-  std::vector<std::string> meshes;    ///< values of mesh.cells, as TOML
+  std::string mesh_key;               ///< mesh.cells or mesh.refine
+  std::vector<std::string> meshes;    ///< its values, as TOML, coarsest first
   std::string sweep_key;              ///< empty: nothing is swept
   std::vector<std::string> variants;  ///< values of the swept key, as TOML; one empty one without a sweep
   std::vector<Quantity> quantities;
@@ -48,7 +49,7 @@ struct Study {
 ///
 ///     scene = "block.toml"                     # beside the study
 ///     set = ["material.model=neo-hookean"]     # optional
-///     cells = [[8, 16], [16, 32], [32, 64]]
+///     cells = [[8, 16], [16, 32], [32, 64]]    # or, of delaunay meshes, refine = [1, 2, 4]
 ///     sweep = { key = "crack.main.negative_side", values = ["left", "right"] }    # optional
 ///
 ///     [[quantity]]

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cleft/scene/study.hpp"
+#include "cleft/support/types.hpp"
 #include "cleft/verify/fit.hpp"
 
 namespace cleft::verify {
@@ -21,8 +22,9 @@ struct StudyOptions {
 
 /// One run of the scene.
 struct StudyRun {
-  std::string cells, variant;
-  double h = 0.0;  ///< width of a cell, metres
+  std::string mesh, variant;
+  double h = 0.0;  ///< side of a square of two triangles of mean area, metres
+  Index unknowns = 0;
   std::string folder;
   bool reused = false;
   double seconds = 0.0, megabytes = 0.0;

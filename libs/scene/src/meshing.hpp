@@ -1,0 +1,21 @@
+// Meshes and cracks of a scene.
+#pragma once
+
+#include "cleft/geometry/crack.hpp"
+#include "cleft/scene/description.hpp"
+
+namespace cleft::scene {
+
+/// Side of a square of two such triangles, metres.
+double element_size(const geometry::Mesh& mesh, Index t);
+
+/// Throws InputError, located in the scene, where sizes ask for too many nodes or a file holds no mesh.
+geometry::Mesh make_mesh(const Scene& scene);
+
+/// Curves are sampled so finely that the polyline is within 0.01 of the smallest element of them.
+std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh);
+
+/// Throws InputError unless the mesh has a boundary of this name.
+void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at, const std::string& key);
+
+}  // namespace cleft::scene
