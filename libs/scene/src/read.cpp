@@ -73,6 +73,13 @@ std::array<double, 4> read_box(const Section& s) {
   return {v[0], v[1], v[2], v[3]};
 }
 
+// A prescribed displacement in metres, none where it is free.
+std::optional<double> read_component(const Section& s, const char* key) {
+  if (!s.has(key) || !s.is_text(key)) return s.maybe_number(key, {}, "a finite number, m, or \"free\"");
+  s.choice(key, {"free"});
+  return std::nullopt;
+}
+
 BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
   BoundarySpec out;
   out.at = s.at();
@@ -88,8 +95,8 @@ BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
   if (s.has("name")) out.name = s.text("name");
   if (out.name.empty() || out.name.find_first_of(",\"\n\r") != std::string::npos)
     s.fail("name", "not usable as a column's name; allowed: a text without commas and quotes");
-  out.ux = s.maybe_number("ux");
-  out.uy = s.maybe_number("uy");
+  out.ux = read_component(s, "ux");
+  out.uy = read_component(s, "uy");
   if (s.has("affine")) {
     const auto rows = s.pairs("affine");
     if (rows.size() != 2) s.fail("affine", "wrong shape; allowed: [[a, b], [c, d]]");

@@ -39,9 +39,11 @@ TEST(SceneReader, ReportsFaultsOfTheTextItself) {
 
 TEST(SceneReader, ReportsFaultsOfTheMesh) {
   expect_all_reported({
-      {"kind = \"structured\"", "kind = @\"delaunay\"", "mesh.kind",
-       "'delaunay' is not available; allowed: structured"},
-      {"kind = \"structured\"", "kind = @\"gmsh\"", "mesh.kind", "'gmsh' is not available"},
+      {"kind = \"structured\"", "kind = @\"quads\"", "mesh.kind",
+       "'quads' is not available; allowed: structured, delaunay, gmsh"},
+      {"kind = \"structured\"\nbox = [0.0, 0.0, 0.04, 0.08]\ncells = [4, 8]",
+       "kind = \"delaunay\"\nbox = [0.0, 0.0, 0.04, 0.08]\ncells = @[4, 8]", "mesh.cells",
+       "is none of kind = \"delaunay\"; allowed with structured"},
       {"kind = \"structured\"", "kind = @3", "mesh.kind", "not a text"},
       {"0.04, 0.08]", "0.04, @\"a\"]", "mesh.box", "not a number"},
       {"box = [0.0, 0.0, 0.04, 0.08]", "box = @[0.0, 0.0, 0.04]", "mesh.box", "wrong shape; allowed: an array of 4"},
@@ -52,8 +54,8 @@ TEST(SceneReader, ReportsFaultsOfTheMesh) {
       {"cells = [4, 8]", "cells = @[4, -8]", "mesh.cells", "integers from 1"},
       {"cells = [4, 8]", "cells = @[4, 2.5]", "mesh.cells", "integers from 1"},
       {"cells = [4, 8]", "cells = @[4.0, 8]", "mesh.cells", "integers from 1"},
-      {"cells = [4, 8]", "cells = [4, 8]\n@size = 0.1", "mesh.size",
-       "not available in this version; allowed: kind, box"},
+      {"cells = [4, 8]", "cells = [4, 8]\nsize = @0.1", "mesh.size",
+       "is none of kind = \"structured\"; allowed with delaunay"},
       {"cells = [4, 8]", "cells = [4, @nan]", "mesh.cells", "not a finite number"},
       {"cells = [4, 8]", "cells = @4", "mesh.cells", "wrong shape"},
       {"cells = [4, 8]", "cells = @[8]", "mesh.cells", "wrong shape; allowed: an array of 2"},
@@ -106,7 +108,12 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"poisson = 0.25", "poisson = @-1.0", "material.poisson", "greater than -1 and less than 0.5"},
       {"[material]\nmodel = \"hencky\"", "@[material]", "material.model",
        "missing; allowed: text (hencky | neo-hookean | j2 | drucker-prager)"},
-      {"[material]\nmodel", "@[[material]]\n[[material]]\nmodel", "material", "several materials"},
+      {"[material]\nmodel", "@[[material]]\n[[material]]\nmodel", "material[0].model", "missing"},
+      {"young = 1.0e10", "young = 1.0e10\nregion = @3", "material.region", "not a section"},
+      {"young = 1.0e10", "young = 1.0e10\nregion = @\"\"", "material.region", "empty; allowed: the name of a region"},
+      {"young = 1.0e10", "young = 1.0e10\nregion = { crack = \"main\", side = @\"up\" }", "material.region.side",
+       "allowed: left, right"},
+      {"young = 1.0e10", "young = 1.0e10\nregion = @{ side = \"left\" }", "material.region.crack", "missing"},
       {"kinematics = \"finite\"", "kinematics = @\"large\"", "formulation.kinematics",
        "'large' is not available; allowed: finite, small"},
       {"tip_enrichment = 0.0", "tip_enrichment = 0.0\nf_bar = @1", "formulation.f_bar", "allowed: true, false"},
@@ -147,7 +154,7 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
 TEST(SceneReader, ReportsFaultsOfBoundaries) {
   expect_all_reported({
       {"on = \"top\"", "on = @\"tpo\"", "boundary[1].on",
-       "there is no boundary 'tpo'; allowed: left, right, bottom, top"},
+       "there is no boundary 'tpo'; allowed: bottom, left, right, top"},
       {"on = \"top\"", "on = @\"top\"\nbox = [0, 0, 1, 1]", "boundary[1].on", "exactly one of on and box"},
       {"[[boundary]]\non = \"top\"", "@[[boundary]]", "boundary[1].on", "exactly one of on and box"},
       {"on = \"top\"", "box = @[0.0, 0.0, -1.0, 0.0]", "boundary[1].box", "the box is empty"},

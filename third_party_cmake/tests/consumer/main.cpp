@@ -11,7 +11,7 @@ int main() {
   model.cut = geometry::cut(model.mesh, model.cracks);
   model.unknowns = enrichment::number_unknowns(model.mesh, model.cut);
   model.cells = enrichment::make_cells(model.mesh, model.cut, model.unknowns);
-  model.material = constitutive::NeoHookean{constitutive::lame(1e9, 0.3)};
+  model.materials = {constitutive::NeoHookean{constitutive::lame(1e9, 0.3)}};
   model.surfaces.faces = enrichment::make_faces(model.mesh, model.cut, model.unknowns);
   model.surfaces.element_size = 0.125;
   model.surfaces.laws = {{8e9, 8e9, 0.3}};

@@ -46,6 +46,8 @@ class LinearSolver {
   const SolverSeconds& seconds() const;
 
  private:
+  double condition(const BlockMatrix& matrix);
+
   struct Data;
   std::unique_ptr<Data> data_;
 };

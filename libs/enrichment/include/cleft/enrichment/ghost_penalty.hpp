@@ -31,7 +31,7 @@ struct GhostTie {
 inline constexpr double kSmallSupport = 0.1;
 
 /// Strength of the ties where the support vanishes; it falls linearly to 0 at kSmallSupport.
-inline constexpr double kTieStrength = 0.1;
+inline constexpr double kTieStrength = 0.03;
 
 /// All ties; none where no cut is small.
 std::vector<GhostTie> make_ghost_ties(const geometry::Mesh& mesh, const geometry::CutMesh& cut,
