@@ -85,6 +85,7 @@ struct LinearSolver::Data {
     const int status = umfpack_di_numeric(m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), symbolic,
                                           &numeric, nullptr, info.data());
     if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+    return status == UMFPACK_OK ? graded(info[UMFPACK_RCOND]) : Factors::None;
   }
 
   Factors factorise_symmetric(const BlockMatrix& m) {
