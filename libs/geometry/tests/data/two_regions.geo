@@ -1,0 +1,15 @@
+SetFactory("Built-in");
+h = 0.4;
+Point(1) = {0, 0, 0, h}; Point(2) = {1, 0, 0, h}; Point(3) = {2, 0, 0, h};
+Point(4) = {2, 1, 0, h}; Point(5) = {1, 1, 0, h}; Point(6) = {0, 1, 0, h};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {5, 4}; Line(5) = {5, 6}; Line(6) = {6, 1}; Line(7) = {2, 5};
+Curve Loop(1) = {1, 7, 5, 6}; Plane Surface(1) = {1};
+Curve Loop(2) = {2, 3, -4, -7}; Plane Surface(2) = {-2};
+Physical Curve("bottom") = {1, 2};
+Physical Curve("top") = {4, 5};
+Physical Curve("left") = {6};
+Physical Curve(17) = {3};
+Physical Curve("middle") = {7};
+Physical Surface("soft") = {1};
+Physical Surface("hard rock") = {2};
+Physical Point("corner") = {1};
