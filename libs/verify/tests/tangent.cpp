@@ -104,6 +104,17 @@ TEST(CheckTangent, ListsTheKinkOnWhichSlidingPointsSitOnceTheirAnchorsHaveMoved)
   EXPECT_FALSE(report.enough()) << "no point that presses was judged";
 }
 
+TEST(CheckTangent, HoldsWhereTwoMaterialsMeetAndWhereGhostsAreTied) {
+  Subject drag("drag", {"mesh.cells=[20,5]", "boundary.top_along.ux=0.1", "boundary.top_down.uy=-0.02",
+                        "crack.interface.points=[[0.0, 0.6004], [4.0, 0.6004]]",
+                        "material=[{region={crack='interface',side='left'},model='neo-hookean',young=2e10,poisson=0.3},"
+                        "{model='drucker-prager',young=1e10,poisson=0.25,cohesion=3e8,friction=0.6,dilatancy=0.4}]"});
+  EXPECT_FALSE(drag.model.ties.empty());
+  const TangentReport report = drag.along_the_run(3);
+  EXPECT_LT(report.worst(), kTolerance);
+  EXPECT_TRUE(report.enough());
+}
+
 // The upper block of the scene drag.toml moved as a whole, down into the lower one and along it until a contact point
 // is opposite to a vertex of the lower face.
 TEST(CheckTangent, ListsPartnersAtAVertexOfTheFace) {
