@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the figures of Liu and Borja 2010, sections 6.1 and 6.3, from our own runs: verification/figures.sh [FOLDER]
+# Draws the figures of Liu and Borja 2010, sections 6.1, 6.3 and 6.4, from our own runs: verification/figures.sh [FOLDER]
 # FOLDER (default results/figures) then holds the runs, a CSV file and an SVG a figure. Runs that are there are used again.
 source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
 build cleft
@@ -78,19 +78,42 @@ rows() { awk -F, -v load="$2" 'NR > 1 && ($1 - load) ^ 2 < 1e-18' "$1"; }
     print $2 "," $3 "," $4 }' "$out/left_16/newton.csv"
 } > "$out/figure11_newton.csv"
 
-# Figures 14 to 16: where the block yields and where flow may localise, around the tip on the deformed mesh
+# solved SCENE: runs a scene unless that has been done
+solved() {
+  grep -qs '"end": "done"' "$out/$1/run.json" && return
+  say "$1"
+  build/release/bin/cleft run "verification/scenes/$1.toml" -o "$out/$1" 2> "$out/$1.log"
+}
+
+# Figures 14 to 16 and 18: where a body yields and where flow may localise, on the deformed mesh
 # yields FIGURE SCENE WINDOW: the last fields of a scene
 yields() {
-  local folder=$out/$2
-  if ! grep -qs '"end": "done"' "$folder/run.json"; then
-    say "$2"
-    build/release/bin/cleft run "verification/scenes/$2.toml" -o "$folder" 2> "$folder.log"
-  fi
-  /usr/bin/python3 verification/figures/triangles.py "$folder/fields_0003.vtu" "${@:3}" > "$out/figure$1_yield.txt"
+  solved "$2"
+  local fields=("$out/$2"/fields_[0-9]*.vtu)
+  /usr/bin/python3 verification/figures/triangles.py "${fields[-1]}" "${@:3}" > "$out/figure$1_yield.txt"
 }
 yields 14 block_small_scale_yield 0.03 0.048 0.036 0.054
 yields 15 block_yield_small 0.01 0.03 0.042 0.062
 yields 16 block_yield_finite 0.01 0.03 0.042 0.062
+yields 18 s_crack 0 0 24 10
+
+# Figure 19: slip (m) and pressure (MPa) along the S-shaped crack; 0 where the faces are apart
+{
+  echo "load,s,slip,pressure"
+  for load in 0.25 0.5 0.75 1; do
+    rows "$out/s_crack/crack_main.csv" "$load" | sort -t, -k3g |
+      awk -F, '{ print $1 "," $3 "," $12 "," ($13 == "open" ? 0 : $11 / 1e6) }'
+    echo
+  done
+} > "$out/figure19_profiles.csv"
+
+# Figure 20: residuals of the iterations on the S-shaped crack
+{
+  echo "load,iteration,residual"
+  for load in 0.25 0.5 0.75 1; do
+    awk -F, -v load="$load" 'NR > 1 && ($2 - load) ^ 2 < 1e-18 { print $2 "," $3 "," $4 }' "$out/s_crack/newton.csv"
+  done
+} > "$out/figure20_newton.csv"
 
 for figure in verification/figures/*.gp; do
   gnuplot -e "folder='$out'" "$figure"

@@ -75,9 +75,8 @@ std::array<double, 4> read_box(const Section& s) {
 
 // A prescribed displacement in metres, none where it is free.
 std::optional<double> read_component(const Section& s, const char* key) {
-  if (!s.has(key) || !s.is_text(key)) return s.maybe_number(key, {}, "a finite number, m, or \"free\"");
-  s.choice(key, {"free"});
-  return std::nullopt;
+  if (s.has(key) && s.is_text(key) && s.text(key) == "free") return std::nullopt;
+  return s.maybe_number(key, {}, "a finite number, m, or \"free\"");
 }
 
 BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
