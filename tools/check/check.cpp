@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
@@ -24,6 +25,7 @@ std::string switched_on(const scene::Scene& scene, const assembly::Model& model)
     out = small ? "cutting, enrichment, friction between opposite points"
                 : "cutting, enrichment, contact search, friction";
   if (!model.tip_points.empty()) out += ", branch functions";
+  if (!model.ties.empty()) out += ", ghost penalty at small cuts";
   if (!model.mate.empty()) out += ", F-bar patches";
   if (model.has_memory()) out += ", plastic history";
   if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
@@ -43,6 +45,9 @@ int check(const Options& options) {
   if (!scene.title.empty()) print("title", scene.title);
   print("elements", fmt::format("{} ({} cut)", model.mesh.triangles.size(), model.cut.elements.size()));
   print("nodes", fmt::format("{}", model.mesh.nodes.size()));
+  print("smallest angle", fmt::format("{:.1f} degrees", geometry::least_angle(model.mesh)));
+  print("boundaries", fmt::format("{}", fmt::join(model.mesh.boundaries | std::views::keys, ", ")));
+  if (!model.mesh.regions.empty()) print("regions", fmt::format("{}", fmt::join(model.mesh.regions, ", ")));
   print("unknowns, standard", fmt::format("{}, {} of them prescribed", 2 * model.unknowns.nodes, constraints.size()));
   const auto& numbers = model.unknowns;
   print("unknowns, enriched", fmt::format("{}", 2 * (numbers.first_amplitude - numbers.nodes)));

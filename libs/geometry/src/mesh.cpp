@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cleft/geometry/lines.hpp"
 #include "cleft/support/error.hpp"
@@ -111,6 +112,16 @@ Edges edges_of(const Mesh& mesh) {
 double triangle_area(const Mesh& mesh, Index t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return 0.5 * cross(mesh.nodes[b] - mesh.nodes[a], mesh.nodes[c] - mesh.nodes[a]);
+}
+
+double least_angle(const Mesh& mesh) {
+  double least = std::numbers::pi;
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 a = mesh.nodes[t[(k + 1) % 3]] - mesh.nodes[t[k]], b = mesh.nodes[t[(k + 2) % 3]] - mesh.nodes[t[k]];
+      least = std::min(least, std::atan2(cross(a, b), a.dot(b)));
+    }
+  return least * 180.0 / std::numbers::pi;
 }
 
 std::array<Vec2, 3> shape_gradients(const Mesh& mesh, Index t) {

@@ -10,16 +10,6 @@
 namespace cleft::geometry {
 namespace {
 
-double least_angle(const Mesh& mesh) {
-  double least = 180.0;
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const Vec2 a = mesh.nodes[t[(k + 1) % 3]] - mesh.nodes[t[k]], b = mesh.nodes[t[(k + 2) % 3]] - mesh.nodes[t[k]];
-      least = std::min(least, std::atan2(cross(a, b), a.dot(b)) * 180.0 / std::numbers::pi);
-    }
-  return least;
-}
-
 double area(const Mesh& mesh) {
   double sum = 0.0;
   for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t) sum += triangle_area(mesh, t);

@@ -104,5 +104,18 @@ TEST(ShapeFunctions, ReproduceLinearFields) {
               1e-13);
 }
 
+TEST(Mesh, LeastAngleOfFlatCells) {
+  EXPECT_NEAR(least_angle(structured_mesh({0, 0, 3, 1}, {3, 1}, Diagonal::Right)), 45.0, 1e-12);
+  EXPECT_NEAR(least_angle(structured_mesh({0, 0, 4, 1}, {1, 1}, Diagonal::Left)), 14.036243467926479, 1e-12);
+}
+
+TEST(Mesh, CoversWhatLiesInATriangle) {
+  const Mesh mesh = structured_mesh({0, 0, 2, 1}, {2, 1}, Diagonal::Right);
+  EXPECT_TRUE(covers(mesh, {0.3, 0.3}));
+  EXPECT_TRUE(covers(mesh, {2.0, 1.0}));
+  EXPECT_FALSE(covers(mesh, {2.0, 1.01}));
+  EXPECT_EQ(box_around(mesh), (std::array<Vec2, 2>{Vec2(0, 0), Vec2(2, 1)}));
+}
+
 }  // namespace
 }  // namespace cleft::geometry

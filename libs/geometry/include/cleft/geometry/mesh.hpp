@@ -52,6 +52,9 @@ Edges edges_of(const Mesh& mesh);
 /// Area of triangle `t` in m^2, positive for counter-clockwise.
 double triangle_area(const Mesh& mesh, Index t);
 
+/// Smallest angle of any triangle, degrees.
+double least_angle(const Mesh& mesh);
+
 /// Constant gradients of the three shape functions of triangle `t`, 1/m.
 std::array<Vec2, 3> shape_gradients(const Mesh& mesh, Index t);
 
