@@ -36,7 +36,9 @@ double Model::stiffness() const {
   return most;
 }
 
-double tie_stiffness(const Model& model, const enrichment::GhostTie& tie) { return model.stiffness() * tie.weight; }
+double tie_stiffness(const Model& model, const enrichment::GhostTie& tie) {
+  return constitutive::uniaxial_strain_modulus(model.constants(tie.cell)) * tie.weight;
+}
 
 Mat2 deformation(const Model& model, Index number, const VecX& displacement) {
   const auto cells = static_cast<Index>(model.cells.size());

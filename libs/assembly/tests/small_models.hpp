@@ -11,7 +11,7 @@ inline void discretise(Model& m, double penalty_scale, double friction, contact:
   m.cut = geometry::cut(m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
-  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns);
+  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
   m.materials = {constitutive::Hencky{constitutive::lame(young, 0.25)}};
   if (m.cracks.empty()) return;
   auto& s = m.surfaces;

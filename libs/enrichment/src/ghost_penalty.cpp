@@ -27,8 +27,10 @@ std::multimap<Edge, Index> triangles_at(const Mesh& mesh, const std::vector<bool
 
 class Ties {
  public:
-  Ties(const Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns)
-      : mesh_(mesh), cut_(cut), unknowns_(unknowns) {}
+  Ties(const Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns, const std::vector<Cell>& cells)
+      : mesh_(mesh), cut_(cut), unknowns_(unknowns), cells_(cells), first_cell_(mesh.triangles.size(), kNone) {
+    for (Index c = static_cast<Index>(cells.size()); c-- > 0;) first_cell_[cells[c].element] = c;
+  }
 
   std::vector<GhostTie> make() {
     const auto support = other_side_support(mesh_, cut_);
@@ -73,12 +75,14 @@ class Ties {
   }
 
   void add(const Edge& edge, Index a, Index b, Side side, double strength) {
-    if (a == b || in_ball(a) || in_ball(b)) return;
+    const Index cell = cell_of(a, side) == kNone ? cell_of(b, side) : cell_of(a, side);
+    if (a == b || in_ball(a) || in_ball(b) || cell == kNone) return;
     auto& tie = ties_[{edge, side}];
     const double length = (mesh_.nodes[edge[1]] - mesh_.nodes[edge[0]]).norm();
     const double weight = strength * length * length;
-    if (tie.element == kNone) {
+    if (tie.cell == kNone) {
       tie = describe(edge, a, b, side);
+      tie.cell = cell;
       tie.weight = weight;
     }
     tie.weight = std::max(tie.weight, weight);
@@ -86,8 +90,6 @@ class Ties {
 
   GhostTie describe(const Edge& edge, Index a, Index b, Side side) const {
     GhostTie out;
-    out.element = a;
-    out.side = side;
     const Vec2 normal = turn_left(mesh_.nodes[edge[1]] - mesh_.nodes[edge[0]]).normalized();
     std::size_t apex = 2;
     for (const auto& [t, sign] : {std::pair{a, 1.0}, std::pair{b, -1.0}}) {
@@ -102,11 +104,20 @@ class Ties {
     return out;
   }
 
+  // None where a side is negligible.
+  Index cell_of(Index t, Side side) const {
+    for (Index c = first_cell_[t]; c != kNone && c < static_cast<Index>(cells_.size()) && cells_[c].element == t; ++c)
+      if (cells_[c].cut == kNone || cells_[c].side == side) return c;
+    return kNone;
+  }
+
   bool in_ball(Index t) const { return !cut_.tip_of_element.empty() && cut_.tip_of_element[t] != kNone; }
 
   const Mesh& mesh_;
   const geometry::CutMesh& cut_;
   const Unknowns& unknowns_;
+  const std::vector<Cell>& cells_;
+  std::vector<Index> first_cell_;  // of each triangle
   std::multimap<Edge, Index> at_;
   std::map<std::pair<Edge, Side>, GhostTie> ties_;
 };
@@ -126,8 +137,9 @@ std::vector<double> other_side_support(const Mesh& mesh, const geometry::CutMesh
   return other_side;
 }
 
-std::vector<GhostTie> make_ghost_ties(const Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns) {
-  return Ties(mesh, cut, unknowns).make();
+std::vector<GhostTie> make_ghost_ties(const Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns,
+                                      const std::vector<Cell>& cells) {
+  return Ties(mesh, cut, unknowns, cells).make();
 }
 
 }  // namespace cleft::enrichment

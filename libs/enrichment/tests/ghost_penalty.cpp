@@ -14,13 +14,15 @@ struct Body {
   geometry::Mesh mesh;
   geometry::CutMesh cut;
   Unknowns unknowns;
+  std::vector<Cell> cells;
   std::vector<GhostTie> ties;
 
   explicit Body(const std::vector<Vec2>& crack)
       : mesh(geometry::structured_mesh({0, 0, 4, 4}, {4, 4}, geometry::Diagonal::Right)),
         cut(geometry::cut(mesh, {{"crack", crack}})),
         unknowns(number_unknowns(mesh, cut)),
-        ties(make_ghost_ties(mesh, cut, unknowns)) {}
+        cells(make_cells(mesh, cut, unknowns)),
+        ties(make_ghost_ties(mesh, cut, unknowns, cells)) {}
 
   // Each side of the crack moves as `motion` says.
   template <class Motion>
@@ -41,7 +43,7 @@ TEST(GhostTies, HoldEveryGhostOfASmallSupportAndNoOthers) {
   const Body body = near_a_row(1e-3);  // below the crack a sliver remains of each triangle above the row
   std::set<Index> tied;
   for (const auto& tie : body.ties) {
-    EXPECT_EQ(tie.side, geometry::Side::Right);
+    EXPECT_EQ(body.cells[tie.cell].side_if_cut(), geometry::Side::Right);
     tied.insert(tie.unknown.begin(), tie.unknown.end());
   }
   for (Index node = 15; node < 20; ++node) EXPECT_TRUE(tied.contains(body.unknowns.ghost[node])) << node;

@@ -181,7 +181,7 @@ assembly::Model build_model(const Scene& scene) {
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
-  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns);
+  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
   fill_with_materials(scene, m);
   const auto constants = m.constants(0);  // a field is only allowed where it is the only one
   if (scene.f_bar) m.mate = assembly::pair_cells(m);

@@ -211,6 +211,11 @@ steps = 1
   };
   const double give = 0.6 / modulus(4e9, 0.2) + 0.4 / modulus(1e9, 0.3) + 1.0 / 1e10;
   EXPECT_NEAR(reactions(scene_of(text)).back().y(), -1e-3 / give, 1e-9 * 1e-3 / give);
+  // each side has ties of its own modulus
+  const auto near = build_model(scene_of(replaced(text, "[[0, 0.4], [1, 0.4]]", "[[0, 0.4287], [1, 0.4287]]")));
+  ASSERT_FALSE(near.ties.empty());  // 0.4286 is a line of nodes, so the sliver is below the crack
+  for (const auto& tie : near.ties)
+    EXPECT_NEAR(assembly::tie_stiffness(near, tie), tie.weight * modulus(1e9, 0.3), 1e-3 * tie.weight);
   // the softer side counts for the penalty
   const auto model =
       build_model(scene_of(replaced(text, "contact = { normal_penalty = 1e10, tangential_penalty = 1e10 }", "")));

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "cleft/enrichment/unknowns.hpp"
+#include "cleft/enrichment/stencil.hpp"
 
 namespace cleft::enrichment {
 
@@ -17,8 +17,7 @@ struct GhostTie {
   std::array<Index, 4> unknown{};
   std::array<double, 4> slope{};  ///< 1/m
   double weight = 0.0;            ///< m^2: the strength, times the edge's length squared
-  Index element = kNone;          ///< one of the two triangles
-  geometry::Side side = geometry::Side::Left;
+  Index cell = kNone;             ///< one of the two triangles on this side, whose modulus counts
 
   Vec2 jump(const VecX& components) const {
     Vec2 out = Vec2::Zero();
@@ -35,7 +34,7 @@ inline constexpr double kTieStrength = 0.03;
 
 /// All ties; none where no cut is small.
 std::vector<GhostTie> make_ghost_ties(const geometry::Mesh& mesh, const geometry::CutMesh& cut,
-                                      const Unknowns& unknowns);
+                                      const Unknowns& unknowns, const std::vector<Cell>& cells);
 
 /// Per node, the part of the cut triangles around it that lies on the other side of the crack; 0 where nothing is cut.
 std::vector<double> other_side_support(const geometry::Mesh& mesh, const geometry::CutMesh& cut);
