@@ -43,9 +43,10 @@ void print_summary(const scene::RunResult& r, const std::string& directory) {
   const auto& e = r.energies;
   fmt::print(
       "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + plastic {:.6g} + viscous {:.6g} + friction {:.6g} + "
-      "contact {:.6g} + imbalance {:.2g} "
+      "contact {:.6g}{} + imbalance {:.2g} "
       "({:.4f} %)\n",
       e.external_work, e.elastic, e.plastic_dissipation, e.viscous_dissipation, e.friction_dissipation, e.contact,
+      e.released != 0.0 ? fmt::format(" + released by growth {:.6g}", e.released) : "",
       e.imbalance(), e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
              r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);

@@ -55,7 +55,7 @@ SolvedModel::SolvedModel(const scene::Scene& scene)
 
 double Solved::at(const std::string& column, double load) const {
   const auto loads = history.column("load");
-  for (std::size_t k = 0; k < loads.size(); ++k)
+  for (std::size_t k = loads.size(); k-- > 0;)
     if (std::fabs(loads[k] - load) < 1e-9) return history.column(column)[k];
   ADD_FAILURE() << "load " << load << " was not reached";
   return std::nan("");

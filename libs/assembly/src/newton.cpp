@@ -175,6 +175,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   load = along_path ? state.load + goal.stretch * (state.load - state.previous_load) : goal.load;
   VecX target = prescribed_values(model, constraints, load);
   VecX dead = dead_force(model, load);
+  if (goal.held) dead += *goal.held;
   const double modulus = model.stiffness();
   VecX& u = out.displacement;
   u = state.displacement;

@@ -45,10 +45,10 @@ LoadStepper::LoadStepper(const Model& model, StepControls controls)
   controls_.min_step = std::min(controls_.min_step, kCrumb * place_.step);
 }
 
-void LoadStepper::restore(State state, StepPlace place, ContactRoom room) {
+void LoadStepper::restore(State state, StepPlace place, std::optional<ContactRoom> room) {
   state_ = std::move(state);
   place_ = place;
-  assembler_.set_room(std::move(room));
+  if (room) assembler_.set_room(std::move(*room));
 }
 
 double LoadStepper::next_target() const {
@@ -66,7 +66,8 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
   return solve_increment(model_, constraints_, state_, goal, controls_.newton, assembler_, solver_, observer);
 }
 
-Increment LoadStepper::try_load(const IterationObserver& observer) {
+Increment LoadStepper::try_load(double before, const IterationObserver& observer) {
+  if (before <= std::min(next_target(), state_.load + place_.step)) return solve({before}, observer);
   const double target = next_target();
   const double rest = target - state_.load;
   // no crumbs: what is left after this increment is either nothing or at least as large
@@ -127,34 +128,70 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
   return failure;
 }
 
-std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer) {
-  Step out;
+std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
+  int cuts = 0;
+  double before = event.before;
   for (;;) {
     const bool along_path = place_.stretch > 0.0;
-    const Increment increment = along_path ? try_path(observer) : try_load(observer);
+    const Increment increment = along_path ? try_path(observer) : try_load(before, observer);
     if (increment.failure) {
       const double size = along_path ? place_.stretch : place_.step;
-      ++out.cuts;
+      ++cuts;
       if (shorten()) continue;
       return given_up(*increment.failure, increment.load, size);
     }
     if (!(increment.load > 0.0))
       return Failure{FailureKind::Unloaded, fmt::format("from load {:.6g}", state_.load),
                      "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
+    if (event.judge)
+      if (const auto lower = event.judge(
+              {model_, increment.load, increment.displacement, assembler_.plastic(), assembler_.pairs()})) {
+        before = *lower;
+        continue;
+      }
     const bool is_output = std::any_of(controls_.outputs.begin(), controls_.outputs.end(),
                                        [&](double l) { return std::fabs(l - increment.load) < kSameLoad; });
-    out.is_output = is_output && increment.load > place_.furthest;
-    commit(increment);
-    lengthen(increment.iterations.size() <= kEasyIterations && out.cuts == 0);
-    out.number = ++place_.number;
-    out.load = state_.load;
-    out.iterations = increment.iterations;
-    out.left = increment.left;
+    const bool first_time = increment.load > place_.furthest;
+    Step out = commit(increment);
+    lengthen(increment.iterations.size() <= kEasyIterations && cuts == 0);
+    out.is_output = is_output && first_time;
+    out.cuts = cuts;
     return out;
   }
 }
 
-void LoadStepper::commit(const Increment& increment) {
+std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observer) {
+  constexpr double kLeastPart = 1.0 / 1024;
+  const double unexplained = state_.energies.imbalance();
+  if (auto failure = assembler_.assemble(state_.displacement, state_.history)) return *failure;
+  VecX held = assembler_.internal_force() - dead_force(model_, state_.load);
+  for (const auto& constraint : constraints_) held[constraint.component] = 0.0;
+  int cuts = 0;
+  for (double gone = 0.0, part = 1.0;;) {
+    const double next = std::min(1.0, gone + part);
+    const VecX still = (1.0 - next) / (1.0 - gone) * held;
+    const Increment increment = solve({.load = state_.load, .held = &still}, observer);
+    if (increment.failure) {
+      ++cuts;
+      part *= 0.5;
+      if (part >= kLeastPart) continue;
+      return given_up(*increment.failure, increment.load, part);
+    }
+    Step out = commit(increment);
+    if (next < 1.0) {
+      --place_.number;
+      held = still;
+      gone = next;
+      if (increment.iterations.size() <= kEasyIterations) part *= 2.0;
+      continue;
+    }
+    state_.energies.released += state_.energies.imbalance() - unexplained;
+    out.cuts = cuts;
+    return out;
+  }
+}
+
+Step LoadStepper::commit(const Increment& increment) {
   const double load = increment.load;
   pairs_ = assembler_.pairs();
   if (controls_.control == Control::Path)
@@ -201,6 +238,7 @@ void LoadStepper::commit(const Increment& increment) {
   state_.load = load;
   place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
+  return {.number = ++place_.number, .load = load, .iterations = increment.iterations, .left = increment.left};
 }
 
 std::vector<Vec2> LoadStepper::reactions() const {

@@ -31,7 +31,7 @@ class SegmentBuilder {
     for (const Chain& chain : trace_.chains) {
       const EdgeCrossing& begin = crossing(chain.passages.front().in);
       if (&chain == &trace_.chains.front() && first_tip) {
-        start_at(crack_.points.front(), 0.0);
+        start_at(crack_.points.front(), tracer_.arc_at(0));
         through(*first_tip, kNone);
         go_to(begin.point, begin.s, kNone);
       } else {
@@ -47,7 +47,7 @@ class SegmentBuilder {
       }
       if (&chain == &trace_.chains.back() && last_tip) {
         through(*last_tip, kNone);
-        go_to(crack_.points.back(), tracer_.length(), kNone);
+        go_to(crack_.points.back(), tracer_.arc_at(1), kNone);
       }
     }
     entry.last_segment = static_cast<Index>(result_.segments.size());
@@ -55,8 +55,8 @@ class SegmentBuilder {
     const EdgeCrossing& end = crossing(trace_.chains.back().passages.back().out);
     entry.ends[0] = {trace_.chains.front().kind[0], crack_.points.front(), start.point, start.s};
     entry.ends[1] = {trace_.chains.back().kind[1], crack_.points.back(), end.point, end.s};
-    if (first_tip) entry.ends[0] = {CrackEnd::Kind::Tip, crack_.points.front(), crack_.points.front(), 0.0};
-    if (last_tip) entry.ends[1] = {CrackEnd::Kind::Tip, crack_.points.back(), crack_.points.back(), tracer_.length()};
+    if (first_tip) entry.ends[0] = {CrackEnd::Kind::Tip, crack_.points.front(), crack_.points.front(), tracer_.arc_at(0)};
+    if (last_tip) entry.ends[1] = {CrackEnd::Kind::Tip, crack_.points.back(), crack_.points.back(), tracer_.arc_at(1)};
     result_.cracks.push_back(entry);
   }
 
@@ -105,7 +105,7 @@ class SegmentBuilder {
 
   // Where to divide a segment, as parts of its length.
   std::vector<double> graded(const TipBall& ball, double s_from, double s_to) const {
-    const double s_tip = ball.end == 0 ? 0.0 : tracer_.length();
+    const double s_tip = tracer_.arc_at(ball.end);
     const double from = std::sqrt(std::abs(s_from - s_tip)), to = std::sqrt(std::abs(s_to - s_tip));
     const double spacing = std::sqrt(terrain_.topology.size(ball.element)) / kFacesPerElement;
     const auto count = static_cast<int>(std::ceil(std::abs(to - from) / spacing));

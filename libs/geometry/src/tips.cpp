@@ -49,7 +49,7 @@ void settle_tip(const Terrain& terrain, const Tracer& tracer, const Crack& crack
   Passage& passage = end == 0 ? chain.passages.front() : chain.passages.back();
   const int inner = end == 0 ? passage.out : passage.in;
   const Tracer::Exit exit = tracer.lead_out(trace, passage.element, end);
-  const double nominal = end == 0 ? 0.0 : tracer.length();
+  const double nominal = tracer.arc_at(end);
   const double back = std::abs(at(trace, inner).s - nominal);
   const double on = std::abs(at(trace, exit.crossing).s - nominal);
   if (crack.tip_radius > 0.0) {

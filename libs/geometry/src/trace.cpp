@@ -6,7 +6,7 @@
 
 namespace cleft::geometry {
 
-Tracer::Tracer(const Terrain& terrain, const Crack& crack) : terrain_(terrain), crack_(crack), arc_{0.0} {
+Tracer::Tracer(const Terrain& terrain, const Crack& crack) : terrain_(terrain), crack_(crack), arc_{crack.s_first} {
   for (int k = 0; k <= last_segment(); ++k) arc_.push_back(arc_.back() + (line(k).end - line(k).start).norm());
 }
 
@@ -137,7 +137,7 @@ void Tracer::start_inside(Trace& trace, const EndPlace& place) const {
   if (place.at_boundary && chain.kind[0] == CrackEnd::Kind::Tip && chain.passages.back().out >= 0) {
     // A crack that starts on the boundary and leaves at once has not begun yet.
     const double left_at = trace.crossings[static_cast<std::size_t>(chain.passages.back().out)].s;
-    if (left_at < 1e-6 * terrain_.topology.size(place.triangle)) return;
+    if (left_at - arc_at(0) < 1e-6 * terrain_.topology.size(place.triangle)) return;
   }
   trace.chains.push_back(std::move(chain));
 }
@@ -148,8 +148,8 @@ void Tracer::finish(Trace& trace, const EndPlace& place) const {
   if (place.at_boundary) {
     if (lead_to_boundary(trace, chain, 1)) return;
     const Passage& first = chain.passages.front();
-    const double entered_at = first.in < 0 ? 0.0 : trace.crossings[static_cast<std::size_t>(first.in)].s;
-    if (length() - entered_at < 1e-6 * terrain_.topology.size(place.triangle)) {
+    const double entered_at = first.in < 0 ? arc_at(0) : trace.crossings[static_cast<std::size_t>(first.in)].s;
+    if (arc_at(1) - entered_at < 1e-6 * terrain_.topology.size(place.triangle)) {
       trace.chains.pop_back();
       return;
     }

@@ -84,9 +84,10 @@ class Tracer {
   };
   Exit lead_out(Trace& trace, Index triangle, int end) const;
 
-  /// Length of the crack from its first point to `point`, which lies near segment `segment`; metres.
+  /// Arc length of `point`, which lies near segment `segment`; metres.
   double arc_length(const Vec2& point, int segment) const;
-  double length() const { return arc_.back(); }
+  /// Arc lengths of the first (0) and last (1) point, metres.
+  double arc_at(int end) const { return end == 0 ? arc_.front() : arc_.back(); }
 
  private:
   Line line(int segment) const {

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 5\n";
+constexpr char kMagic[] = "cleft checkpoint 6\n";
 
 struct Writer {
   std::string out;
@@ -61,6 +61,26 @@ void pass(Io& io, std::vector<T>& list, Each&& each) {
   for (T& item : list) each(item);
 }
 
+template <class Io>
+void pass(Io& io, growth::Record& g) {
+  pass(io, g.points, [&](std::vector<Vec2>& points) { pass(io, points, [&](Vec2& p) { io(p.x()), io(p.y()); }); });
+  pass(io, g.s_first, io);
+  pass(io, g.tips, [&](std::array<growth::Record::Tip, 2>& ends) {
+    for (auto& tip : ends) io(tip.advances), io(tip.stop);
+  });
+  pass(io, g.due, [&](growth::Due& due) {
+    io(due.tip);
+    io(due.demand.measure);
+    io(due.demand.ahead.x());
+    io(due.demand.ahead.y());
+    io(due.demand.stress);
+    io(due.demand.intensities);
+  });
+  io(g.measure);
+  io(g.beyond);
+  io(g.measure_beyond);
+}
+
 // One function for both ways, so that they cannot differ.
 template <class Io>
 void pass(Io& io, Checkpoint& c) {
@@ -92,6 +112,7 @@ void pass(Io& io, Checkpoint& c) {
   io(c.place.stretch);
   io(c.place.furthest);
   pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
+  pass(io, c.growth);
   io(c.iterations);
   io(c.cuts);
   io(c.worst_residual);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace cleft::scene {
@@ -14,6 +15,19 @@ Json point(const Vec2& p) { return {p.x(), p.y()}; }
 Json field(const FieldSpec& f) {
   Json j{{"name", f.name}};
   for (const auto& [key, value] : f.parameters) j[key] = value;
+  return j;
+}
+
+Json growth_of(const growth::Law& law) {
+  Json j;
+  if (const auto* rankine = std::get_if<growth::Rankine>(&law.criterion))
+    j = {{"criterion", "rankine"}, {"strength", rankine->strength}, {"radius", rankine->radius}};
+  else
+    j = {{"criterion", "hoop-stress"}, {"toughness", std::get<growth::HoopStress>(law.criterion).toughness}};
+  j.update({{"advance", law.advance},
+            {"most", law.most},
+            {"tips", law.tips[0] && law.tips[1] ? "both" : law.tips[0] ? "first" : "last"},
+            {"load_tolerance", law.load_tolerance}});
   return j;
 }
 
@@ -32,6 +46,7 @@ Json crack(const CrackSpec& c) {
   j["contact"] = {{"method", "penalty"}};
   if (c.normal_penalty) j["contact"]["normal_penalty"] = *c.normal_penalty;
   if (c.tangential_penalty) j["contact"]["tangential_penalty"] = *c.tangential_penalty;
+  if (c.growth) j["growth"] = growth_of(*c.growth);
   return j;
 }
 
@@ -145,6 +160,13 @@ double Amplitude::operator()(double load) const {
 
 bool is_plastic(const MaterialSpec& m) { return m.model == "j2" || m.model == "drucker-prager"; }
 bool is_viscous(const MaterialSpec& m) { return m.viscosity > 0.0; }
+
+bool grows(const Scene& scene) {
+  return std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.growth.has_value(); });
+}
+bool grows_by_intensities(const CrackSpec& crack) {
+  return crack.growth && std::holds_alternative<growth::HoopStress>(crack.growth->criterion);
+}
 
 std::array<bool, 2> BoundarySpec::components() const {
   const bool both = affine || field || rotation;

@@ -154,10 +154,7 @@ Section::Section(const Document& document, const toml::table& table, std::string
     if (is_key(kind_, key.str())) continue;
     const auto near = nearest_key(kind_, key.str());
     std::string problem = "unknown key; ";
-    if (is_later_key(kind_, key.str()))
-      problem = "this key is not available in this version; ";
-    else if (!near.empty())
-      problem += fmt::format("did you mean '{}'? ", near);
+    if (!near.empty()) problem += fmt::format("did you mean '{}'? ", near);
     problem += "allowed:";
     const char* separator = " ";
     for (const Key& k : scene_keys()) {

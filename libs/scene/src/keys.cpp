@@ -64,6 +64,15 @@ constexpr std::array kKeys = {
     Key{"crack.contact", "method", "text", "penalty"},
     Key{"crack.contact", "normal_penalty", "number", "Pa/m; default E/h"},
     Key{"crack.contact", "tangential_penalty", "number", "Pa/m; default E/h"},
+    Key{"crack", "growth", "table", "when and how far its tips advance; default: never"},
+    Key{"crack.growth", "criterion", "text", "rankine | hoop-stress"},
+    Key{"crack.growth", "strength", "number", "of rankine, Pa: largest principal stress around a tip"},
+    Key{"crack.growth", "radius", "number", "of rankine, m: around a tip, where stress and deformation are averaged"},
+    Key{"crack.growth", "toughness", "number", "of hoop-stress, Pa m^0.5"},
+    Key{"crack.growth", "advance", "number", "length of one advance, m"},
+    Key{"crack.growth", "most", "integer", "advances of each tip; default 1000"},
+    Key{"crack.growth", "tips", "text", "both | first | last: which ends grow; default both"},
+    Key{"crack.growth", "load_tolerance", "number", "of the load at which a tip advances; default 1e-4"},
     Key{"boundary", "on", "text", "named part of the boundary"},
     Key{"boundary", "box", "4 numbers", "all nodes inside, xmin, ymin, xmax, ymax, m"},
     Key{"boundary", "name", "text", "labels its columns in history.csv"},
@@ -117,10 +126,6 @@ constexpr std::array kKeys = {
     Key{"study.quantity", "limit_within", "2 numbers", "the study fails where the limit is outside"},
 };
 
-constexpr std::array<std::array<std::string_view, 2>, 1> kLaterKeys = {{
-    {"crack", "growth"},
-}};
-
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -141,11 +146,6 @@ std::span<const Key> scene_keys() { return kKeys; }
 
 bool is_key(std::string_view section, std::string_view name) {
   return std::any_of(kKeys.begin(), kKeys.end(), [&](const Key& k) { return k.section == section && k.name == name; });
-}
-
-bool is_later_key(std::string_view section, std::string_view name) {
-  return std::any_of(kLaterKeys.begin(), kLaterKeys.end(),
-                     [&](const auto& key) { return key[0] == section && key[1] == name; });
 }
 
 std::string_view nearest_key(std::string_view section, std::string_view mistyped) {

@@ -21,7 +21,4 @@ std::string_view nearest_key(std::string_view section, std::string_view mistyped
 
 bool is_key(std::string_view section, std::string_view name);
 
-/// Keys that scenes are known to have in a later version, so that they are not called mistyped.
-bool is_later_key(std::string_view section, std::string_view name);
-
 }  // namespace cleft::scene

@@ -30,18 +30,20 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
   }
 }
 
-void set_up_contact(const Scene& scene, assembly::Model& m) {
+// With the laws of an earlier cut of the same cracks, where there is one: the penalty is a property of the crack.
+void set_up_contact(const Scene& scene, const assembly::Model* earlier, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.search_radius = scene.solver.search_radius;
   s.undeformed = scene.kinematics == Kinematics::Small;
   for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
-  const auto scale = penalty_scale(scene, m);
+  const auto scale = earlier ? std::vector<double>{} : penalty_scale(scene, m);
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const auto& spec = scene.cracks[k];
-    s.laws.push_back(
-        {spec.normal_penalty.value_or(scale[k]), spec.tangential_penalty.value_or(scale[k]), spec.friction});
+    s.laws.push_back(earlier ? earlier->surfaces.laws[k]
+                             : contact::Law{spec.normal_penalty.value_or(scale[k]),
+                                            spec.tangential_penalty.value_or(scale[k]), spec.friction});
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
@@ -173,10 +175,27 @@ std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& mod
   return size;
 }
 
-assembly::Model build_model(const Scene& scene) {
+namespace {
+
+// Averages around a tip need something to average over.
+void refuse_empty_averages(const Scene& scene, const assembly::Model& m) {
+  for (Index c = 0; c < static_cast<Index>(scene.cracks.size()); ++c) {
+    const auto& law = scene.cracks[c].growth;
+    const auto* rankine = law ? std::get_if<growth::Rankine>(&law->criterion) : nullptr;
+    for (const int end : {0, 1})
+      if (rankine && law->tips[end] && m.cut.cracks[c].ends[end].kind == geometry::CrackEnd::Kind::Tip &&
+          growth::points_around(m, {c, end}, rankine->radius) == 0)
+        throw InputError(scene.cracks[c].at, fmt::format("crack[{}].growth.radius", c),
+                         "no element has its centre within the radius of a tip; allowed: a larger radius, or a finer "
+                         "mesh");
+  }
+}
+
+assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<geometry::Crack> cracks,
+                           const assembly::Model* earlier) {
   assembly::Model m;
-  m.mesh = make_mesh(scene);
-  m.cracks = make_cracks(scene, m.mesh);
+  m.mesh = std::move(mesh);
+  m.cracks = std::move(cracks);
   m.cut = cut_located(scene, m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
@@ -185,7 +204,7 @@ assembly::Model build_model(const Scene& scene) {
   fill_with_materials(scene, m);
   const auto constants = m.constants(0);  // a field is only allowed where it is the only one
   if (scene.f_bar) m.mate = assembly::pair_cells(m);
-  if (!scene.cracks.empty()) set_up_contact(scene, m);
+  if (!scene.cracks.empty()) set_up_contact(scene, earlier, m);
 
   for (std::size_t k = 0; k < scene.boundaries.size(); ++k) {
     const auto& b = scene.boundaries[k];
@@ -225,6 +244,27 @@ assembly::Model build_model(const Scene& scene) {
     add_loads_of(*scene.exact, m);
   }
   return m;
+}
+
+}  // namespace
+
+assembly::Model build_model(const Scene& scene) {
+  auto mesh = make_mesh(scene);
+  auto cracks = make_cracks(scene, mesh);
+  auto m = discretise(scene, std::move(mesh), std::move(cracks), nullptr);
+  refuse_empty_averages(scene, m);
+  return m;
+}
+
+growth::Evolution make_evolution(const Scene& scene, assembly::Model model) {
+  std::vector<std::optional<growth::Law>> laws;
+  for (const auto& crack : scene.cracks) laws.push_back(crack.growth);
+  if (!grows(scene)) return {std::move(model), step_controls(scene)};
+  const auto first = std::make_shared<const assembly::Model>(model);
+  const auto recut = [scene, first](const std::vector<geometry::Crack>& cracks) {
+    return discretise(scene, first->mesh, cracks, first.get());
+  };
+  return {std::move(model), step_controls(scene), std::move(laws), recut};
 }
 
 assembly::StepControls step_controls(const Scene& scene) {

@@ -57,6 +57,7 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
     out.normal_penalty = c->maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
     out.tangential_penalty = c->maybe_number("tangential_penalty", kPositive, "a positive number, Pa/m");
   }
+  if (const auto g = s.section("growth", "crack.growth")) out.growth = read_growth(*g);
   return out;
 }
 
@@ -179,10 +180,13 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
     out.cracks.push_back(read_crack(s, out.cracks.size()));
-    if (out.cracks.back().intensities && out.tip_enrichment == 0.0)
-      s.fail("intensities", "need the ball of a tip; allowed with formulation.tip_enrichment greater than 0");
-    if (out.cracks.back().intensities && flows)
-      s.fail("intensities", "are those of an elastic body; allowed with hencky and neo-hookean only");
+    for (const auto& [asks, key] : {std::pair{out.cracks.back().intensities, "intensities"},
+                                    {grows_by_intensities(out.cracks.back()), "growth"}}) {
+      if (asks && out.tip_enrichment == 0.0)
+        s.fail(key, "needs the ball of a tip; allowed with formulation.tip_enrichment greater than 0");
+      if (asks && flows)
+        s.fail(key, "needs the intensities of an elastic body; allowed with hencky and neo-hookean only");
+    }
     if (!names.insert(out.cracks.back().name).second)
       s.fail("name", fmt::format("'{}' names another crack, too; allowed: distinct names", out.cracks.back().name));
   }
@@ -210,6 +214,8 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
     out.loading = read_loading(*s);
     if (out.loading.control == assembly::Control::Path && std::ranges::any_of(out.materials, is_viscous))
       s->fail("control", "a path has no time for viscosity; allowed with viscosity: load");
+    if (out.loading.control == assembly::Control::Path && grows(out))
+      s->fail("control", "cracks grow at a load that is looked for on the way up; allowed with growth: load");
   }
   if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);
   return out;

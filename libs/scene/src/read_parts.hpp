@@ -17,6 +17,8 @@ MeshSpec read_mesh(const Section& s, const std::string& scene);
 
 MaterialSpec read_material(const Section& s);
 
+growth::Law read_growth(const Section& s);
+
 /// The named parts of the boundary, or none if they are only known once a file is read.
 std::optional<std::set<std::string>> boundary_names(const MeshSpec& mesh);
 

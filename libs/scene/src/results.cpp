@@ -6,9 +6,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 
+#include "cleft/assembly/intensities.hpp"
 #include "cleft/scene/run.hpp"
-#include "intensities.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -27,6 +28,46 @@ const char* name_of(contact::Status status) {
   return "";
 }
 
+const char* name_of(growth::Stop stop) {
+  switch (stop) {
+    case growth::Stop::None:
+      return "";
+    case growth::Stop::Boundary:
+      return "boundary";
+    case growth::Stop::Crack:
+      return "crack";
+    case growth::Stop::Most:
+      return "most";
+  }
+  return "";
+}
+
+constexpr std::array kEnds{"start", "end"};
+
+// By end: K_I and K_II by the interaction integral, and by the opening and the slip of the faces.
+std::vector<std::string> intensity_columns(const std::string& crack) {
+  std::vector<std::string> out;
+  for (const char* end : kEnds)
+    for (const char* what : {"k1", "k2", "k1_faces", "k2_faces"})
+      out.push_back(fmt::format("{}_{}_{}", what, crack, end));
+  return out;
+}
+
+// In the order of the columns, Pa m^(1/2); NaN at a mouth.
+std::vector<double> intensities_of(const assembly::LoadStepper& stepper, Index crack) {
+  std::vector<double> out(8, std::numeric_limits<double>::quiet_NaN());
+  for (const int end : {0, 1}) {
+    const Index tip = assembly::ball_at(stepper.model(), crack, end);
+    if (tip == kNone) continue;
+    const auto a = assembly::intensities_by_integral(stepper.equilibrium(), tip),
+               b = assembly::intensities_by_faces(stepper.equilibrium(), tip);
+    std::ranges::copy(std::array{a.K_I, a.K_II, b.K_I, b.K_II}, out.begin() + 4 * end);
+  }
+  return out;
+}
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
 }  // namespace
 
 std::vector<std::string> history_columns(const Scene& scene) {
@@ -38,18 +79,22 @@ std::vector<std::string> history_columns(const Scene& scene) {
   if (std::ranges::any_of(scene.materials, is_plastic)) columns.emplace_back("min_localisation");
   for (const auto& crack : scene.cracks)
     if (crack.intensities) std::ranges::copy(intensity_columns(crack.name), std::back_inserter(columns));
+  if (grows(scene)) columns.emplace_back("released_energy");
   return columns;
 }
 
-Results::Results(const Scene& scene, const assembly::Model& model, std::string directory, const Checkpoint* resumed)
-    : scene_(scene), model_(model), directory_(std::move(directory)) {
+Results::Results(const Scene& scene, std::string directory, const Checkpoint* resumed)
+    : scene_(scene), directory_(std::move(directory)) {
   open("history.csv", fmt::format("{}\n", fmt::join(history_columns(scene), ",")), resumed);
   open("newton.csv",
        "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
        "rounding,gradient\n",
        resumed);
-  for (const auto& crack : model.cracks)
-    open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure\n",
+  for (const auto& crack : scene.cracks)
+    open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step\n",
+         resumed);
+  if (grows(scene))
+    open("growth.csv", "step,load,crack,tip,advance,X,Y,length,angle,turn,stress,k1,k2,demand,released_energy,stop\n",
          resumed);
   if (resumed) outputs_ = resumed->outputs;
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
@@ -68,7 +113,7 @@ std::map<std::string, std::uint64_t> Results::log_bytes() const {
   return out;
 }
 
-void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& stepper) {
+void Results::add_step(const growth::Step& step, const assembly::LoadStepper& stepper) {
   std::string rows;
   auto iterations = step.iterations;
   iterations.push_back(step.left);
@@ -92,28 +137,40 @@ void Results::add_step(const assembly::Step& step, const assembly::LoadStepper& 
     gap = std::fmin(gap, q.gap);  // of one number and NaN it takes the number
     pressure = std::max(pressure, q.pressure);
   }
-  const PlasticExtremes extremes = plastic_extremes(model_, stepper.state());
+  const PlasticExtremes extremes = plastic_extremes(stepper.model(), stepper.state());
   row += fmt::format(",{},{},{},{},{},{},{},{},{},{},{},{}", e.elastic, e.contact, e.plastic_dissipation,
                      e.viscous_dissipation, e.friction_dissipation, e.external_work, touching, slipping, slip, gap,
                      pressure, extremes.largest_strain);
-  if (model_.has_memory()) row += fmt::format(",{}", extremes.least_localisation);
+  if (stepper.model().has_memory()) row += fmt::format(",{}", extremes.least_localisation);
   for (std::size_t k = 0; k < scene_.cracks.size(); ++k)
     if (scene_.cracks[k].intensities)
       row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));
+  if (grows(scene_)) row += fmt::format(",{}", e.released);
   row += '\n';
   logs_.at("history.csv").append(row);
+  if (!step.advances.empty()) add_advances(step);
 }
 
-void Results::add_fields(const assembly::LoadStepper& stepper) {
+void Results::add_advances(const growth::Step& step) {
+  std::string rows;
+  for (const auto& a : step.advances)
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load,
+                   scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(), a.length,
+                   degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
+                   a.demand.intensities.K_II, a.demand.measure, step.released, name_of(a.stop));
+  logs_.at("growth.csv").append(rows);
+}
+
+void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& stepper) {
   const double load = stepper.state().load;
   const auto points = profile(stepper);
   std::map<Index, std::string> rows;
   for (const auto& q : points)
-    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
+    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
                    q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
                    q.current.x(), q.current.y(), q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status),
-                   q.partner_s, q.partner_pressure);
-  for (const auto& [crack, text] : rows) logs_.at(crack_file(model_.cracks[crack].name)).append(text);
+                   q.partner_s, q.partner_pressure, step.number);
+  for (const auto& [crack, text] : rows) logs_.at(crack_file(scene_.cracks[crack].name)).append(text);
 
   const int number =
       static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
@@ -122,8 +179,8 @@ void Results::add_fields(const assembly::LoadStepper& stepper) {
     write_atomically(path(file), vtu_text(grid));
     outputs_.push_back({load, part, file});
   };
-  add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(model_, stepper.state()));
-  if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(model_, u, points));
+  add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(stepper.model(), stepper.state()));
+  if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), u, points));
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
 }
 

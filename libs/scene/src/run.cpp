@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/support/timer.hpp"
@@ -65,11 +66,24 @@ struct Seconds {
   double cut = 0.0, write = 0.0;
 };
 
-nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& stepper, const RunResult& result,
+// Where the cracks are that have grown, as CSV's growth.csv tells it advance by advance.
+nlohmann::ordered_json grown(const growth::Evolution& evolution) {
+  nlohmann::ordered_json j;
+  for (std::size_t c = 0; c < evolution.record().points.size(); ++c) {
+    const auto& tips = evolution.record().tips[c];
+    auto& crack = j[evolution.model().cracks[c].name];
+    crack["advances"] = std::array{tips[0].advances, tips[1].advances};
+    for (const Vec2& p : evolution.record().points[c]) crack["points"].push_back(std::array{p.x(), p.y()});
+  }
+  return j;
+}
+
+nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evolution, const RunResult& result,
                                const Seconds& seconds) {
-  const auto& model = stepper.model();
-  const auto& assembly = stepper.assembler().seconds();
-  const auto& solver = stepper.solver().seconds();
+  const auto& stepper = evolution.stepper();
+  const auto& model = evolution.model();
+  const auto assembly = evolution.assembly_seconds();
+  const auto solver = evolution.solver_seconds();
   const char* const ends[] = {"done", "failed", "stopped", "not written"};
   nlohmann::ordered_json j;
   j["cleft"] = CLEFT_VERSION;
@@ -127,9 +141,21 @@ nlohmann::ordered_json summary(const Scene& scene, const assembly::LoadStepper& 
                   {"energy", e.energy},
                   {"energy_relative", e.energy / e.energy_exact}};
   }
+  if (grows(scene)) j["growth"] = grown(evolution);
   j["remarks"] = remarks(scene, model);
   j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
   return j;
+}
+
+std::string remark_on(const growth::Advance& a, const Scene& scene, double load) {
+  const std::string tip =
+      fmt::format("crack '{}', {} point", scene.cracks[a.tip.crack].name, a.tip.end == 0 ? "first" : "last");
+  if (a.length == 0.0) return fmt::format("{}: no advance at load {:.6g}: {}", tip, load, a.hindrance);
+  std::string out = fmt::format("{}: advance {} at load {:.6g} to ({:.6g}, {:.6g}), turned by {:.1f} degrees", tip,
+                                a.number, load, a.point.x(), a.point.y(), a.turn * 180.0 / std::numbers::pi);
+  if (a.stop == growth::Stop::Boundary) out += "; it cuts through the boundary";
+  if (a.stop == growth::Stop::Crack) out += "; no farther: " + a.hindrance;
+  return out;
 }
 
 }  // namespace
@@ -154,26 +180,26 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   else
     remove_results(options.directory);
   seconds.before = kept.seconds;
-  assembly::LoadStepper stepper(model, step_controls(scene));
-  Results results(scene, model, options.directory, options.resume ? &kept : nullptr);
-  if (options.resume) stepper.restore(kept.state, kept.place, kept.room);
-
   if (options.remark)
     for (const auto& note : remarks(scene, model)) options.remark(note);
+  growth::Evolution evolution = make_evolution(scene, std::move(model));
+  if (options.resume) evolution.restore(kept.growth, kept.state, kept.place, kept.room);
+  Results results(scene, options.directory, options.resume ? &kept : nullptr);
+  const auto state = [&]() -> const assembly::State& { return evolution.stepper().state(); };
 
   RunResult result;
   result.increments = kept.place.number;
   result.iterations = kept.iterations;
   result.cuts = kept.cuts;
   result.worst_residual = kept.worst_residual;
-  result.load = stepper.state().load;
-  result.energies = stepper.state().energies;
-  const double load_before = stepper.state().load;
+  result.load = state().load;
+  result.energies = state().energies;
+  const double load_before = state().load;
   std::vector<double> orders;
   Progress progress;
   const auto tell = [&](int iteration, double residual) {
     if (!options.observer) return;
-    progress.load = stepper.state().load;
+    progress.load = state().load;
     progress.increment = static_cast<int>(result.increments) + (iteration > 0);
     progress.iteration = iteration;
     progress.residual = residual;
@@ -186,25 +212,34 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   };
 
   const auto keep = [&] {
-    const Checkpoint now{scene_hash(scene),   stepper.state(),  stepper.place(),       stepper.assembler().room(),
-                         result.iterations,   result.cuts,      result.worst_residual, kept.seconds + clock.seconds(),
-                         results.log_bytes(), results.outputs()};
+    const auto& stepper = evolution.stepper();
+    const Checkpoint now{scene_hash(scene),
+                         stepper.state(),
+                         stepper.place(),
+                         stepper.assembler().room(),
+                         evolution.record(),
+                         result.iterations,
+                         result.cuts,
+                         result.worst_residual,
+                         kept.seconds + clock.seconds(),
+                         results.log_bytes(),
+                         results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
   if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
 
-  while (!stepper.done()) {
+  while (!evolution.done()) {
     if (options.stop && *options.stop) {
       result.end = RunResult::End::Stopped;
       break;
     }
-    const auto outcome = stepper.advance([&](int i, const assembly::Iteration& it) { tell(i, it.residual); });
+    const auto outcome = evolution.advance([&](int i, const assembly::Iteration& it) { tell(i, it.residual); });
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
       result.end = RunResult::End::Failed;
       result.failure = *failure;
       break;
     }
-    const auto& step = std::get<assembly::Step>(outcome);
+    const auto& step = std::get<growth::Step>(outcome);
     const RunResult saved = result;
     result.increments = step.number;
     result.iterations += static_cast<long>(step.iterations.size());
@@ -214,12 +249,12 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     residuals.push_back(step.left);
     if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
       orders.push_back(seen->order);
-    progress.contact_points =
-        static_cast<int>(std::count_if(stepper.pairs().begin(), stepper.pairs().end(), contact::presses));
+    const auto& pairs = evolution.stepper().pairs();
+    progress.contact_points = static_cast<int>(std::count_if(pairs.begin(), pairs.end(), contact::presses));
     try {
       const PhaseTimer timer(seconds.write);
-      results.add_step(step, stepper);
-      if (scene.loading.every_step || step.is_output) results.add_fields(stepper);
+      results.add_step(step, evolution.stepper());
+      if (scene.loading.every_step || step.is_output) results.add_fields(step, evolution.stepper());
       keep();
     } catch (const std::runtime_error& error) {
       result = saved;  // what the last checkpoint holds
@@ -227,27 +262,29 @@ RunResult run(const Scene& scene, const RunOptions& options) {
       result.unwritten = error.what();
       break;
     }
-    result.load = stepper.state().load;
-    result.energies = stepper.state().energies;
+    result.load = state().load;
+    result.energies = state().energies;
     tell(0, step.left.residual);
+    if (options.remark)
+      for (const auto& advance : step.advances) options.remark(remark_on(advance, scene, step.load));
   }
 
-  if (model.has_contact()) result.overlap = stepper.state().history.deepest / model.surfaces.element_size;
+  const auto& surfaces = evolution.model().surfaces;
+  if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
-  const auto& solver = stepper.solver().seconds();
+  const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
-  const auto& assembly = stepper.assembler().seconds();
+  const auto assembly = evolution.assembly_seconds();
   const auto evaluations = static_cast<double>(std::max(1L, assembly.assemblies));
-  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(model.material_points()));
-  if (model.has_contact())
-    result.contact_microseconds =
-        1e6 * assembly.contact / (evaluations * static_cast<double>(model.surfaces.points.size()));
+  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(evolution.model().material_points()));
+  if (!surfaces.points.empty())
+    result.contact_microseconds = 1e6 * assembly.contact / (evaluations * static_cast<double>(surfaces.points.size()));
   result.peak_megabytes = peak_megabytes();
   result.seconds = clock.seconds();
   try {
     write_atomically(
         results.path("run.json"),
-        summary(scene, stepper, result, seconds).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+        summary(scene, evolution, result, seconds).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
             "\n");
   } catch (const std::runtime_error& error) {
     result.end = RunResult::End::NotWritten;

@@ -99,7 +99,7 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
       {"mesh.size=1", "mesh.size", "is none of kind"},
       {"mesh=3", "mesh", "not a section"},
       {"material=[]", "material", "a [material] section"},
-      {"crack.main.growth={ criterion = 'rankine' }", "crack[0].growth", "not available in this version"},
+      {"crack.main.growth={ criterion = 'rankine' }", "crack[0].growth.strength", "missing"},
   };
   for (const auto& wrong : all) {
     SCOPED_TRACE(wrong.text);

@@ -25,9 +25,18 @@ nlohmann::json run_json(const StudyRun& run) {
 double history_value(const StudyRun& run, const Quantity& q) {
   const auto table = scene::read_csv(run.folder + "/history.csv");
   const auto loads = table.column("load");
-  for (std::size_t k = 0; k < loads.size(); ++k)
+  for (std::size_t k = loads.size(); k-- > 0;)  // the last state at a load: cracks may grow there
     if (std::fabs(loads[k] - q.load) < kSameLoad) return table.column(q.column)[k];
   throw std::runtime_error(fmt::format("{}: no row at load {}", run.folder, q.load));
+}
+
+// Of several states at one load, between which cracks have grown, the last.
+void keep_last_step(scene::CsvTable& table) {
+  const auto at = std::find(table.header.begin(), table.header.end(), "step");
+  if (at == table.header.end() || table.rows.empty()) return;
+  const auto column = static_cast<std::size_t>(at - table.header.begin());
+  const std::string last = table.rows.back().at(column);
+  std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != last; });
 }
 
 // The rows of a profile at the quantity's load; all rows of a table without loads.
@@ -39,6 +48,7 @@ Profile profile_of(const std::string& path, const Quantity& q) {
     for (std::size_t k = 0; k < loads.size(); ++k)
       if (std::fabs(loads[k] - q.load) < kSameLoad) table.rows[kept++] = table.rows[k];
     table.rows.resize(kept);
+    keep_last_step(table);
   }
   return {table.column(q.along), table.column(q.column)};
 }

@@ -36,6 +36,7 @@ struct Iteration {
 struct Goal {
   double load = 0.0;
   double stretch = 0.0;
+  const VecX* held = nullptr;  ///< forces besides the dead loads, N/m, per component of all unknowns
 };
 
 /// The outcome of an increment. On success the assembler holds forces and contact pairs at `displacement`.

@@ -14,9 +14,11 @@ struct Energies {
   double plastic_dissipation = 0.0;   ///< cumulative plastic work, that of hardening included
   double viscous_dissipation = 0.0;   ///< cumulative, of the stress beyond yield
   double external_work = 0.0;         ///< cumulative
+  double released = 0.0;              ///< cumulative, by cracks that grew: what new faces no longer hold
   /// What the other entries leave unexplained; falls with the size of the increments.
   double imbalance() const {
-    return external_work - elastic - contact - friction_dissipation - plastic_dissipation - viscous_dissipation;
+    return external_work - elastic - contact - friction_dissipation - plastic_dissipation - viscous_dissipation -
+           released;
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "cleft/assembly/equilibrium.hpp"
 #include "cleft/assembly/newton.hpp"
 
 namespace cleft::assembly {
@@ -37,6 +38,14 @@ struct StepPlace {
   double furthest = 0.0;  ///< largest load so far
 };
 
+/// Where an increment should end besides the planned loads.
+struct Event {
+  double before = 2.0;  ///< a load at which the next increment ends if it would go beyond
+  /// Looks at what an increment has converged to before it is kept. Nothing keeps it; with a lower load, above that of
+  /// the last converged state, the increment is dropped and one to that load is tried.
+  std::function<std::optional<double>(const Equilibrium&)> judge;
+};
+
 /// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
 /// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly.
 ///
@@ -51,10 +60,18 @@ class LoadStepper {
   bool done() const { return state_.load >= 1.0; }
 
   /// One converged increment, or the failure that ends the run (the state then stays at what converged last).
-  std::variant<Step, Failure> advance(const IterationObserver& observer = {});
+  std::variant<Step, Failure> advance(const IterationObserver& observer = {}, const Event& event = {});
+
+  /// Equilibrium at the present load, for a state that is not in balance because new faces have been cut through it.
+  /// What these transmit is taken away at once or, where that fails, bit by bit; the energy set free is counted in
+  /// Energies::released.
+  std::variant<Step, Failure> settle(const IterationObserver& observer = {});
 
   const Model& model() const { return model_; }
   const State& state() const { return state_; }
+  Equilibrium equilibrium() const {
+    return {model_, state_.load, state_.displacement, state_.history.plastic, pairs_};
+  }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Pairs of the last converged increment, with tractions and gaps; memory in `state()` is already that of the next.
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
@@ -63,8 +80,8 @@ class LoadStepper {
   const LinearSolver& solver() const { return solver_; }
   StepPlace place() const { return place_; }
 
-  /// Goes on from what an earlier run kept.
-  void restore(State state, StepPlace place, ContactRoom room);
+  /// Goes on from what an earlier run kept; without a room for the contact's partners, with the one at rest.
+  void restore(State state, StepPlace place, std::optional<ContactRoom> room = {});
 
   /// Force on the body (N/m) through each prescribed boundary of the model, in its order.
   std::vector<Vec2> reactions() const;
@@ -76,12 +93,12 @@ class LoadStepper {
   double next_target() const;
   double next_output() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
-  Increment try_load(const IterationObserver& observer);
+  Increment try_load(double before, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
   bool shorten();
   void lengthen(bool easy);
   Failure given_up(Failure failure, double load, double size) const;
-  void commit(const Increment& increment);
+  Step commit(const Increment& increment);
 
   const Model& model_;
   StepControls controls_;

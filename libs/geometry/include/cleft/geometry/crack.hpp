@@ -22,6 +22,9 @@ struct Crack {
   std::vector<Vec2> points;  ///< at least two, consecutive ones distinct; metres
   /// Each tip gets branch functions within this distance, metres; 0: none, and the cut ends at an element edge.
   double tip_radius = 0.0;
+  /// Arc length at the first point, metres. A crack that has grown there starts below 0, so that a point of its faces
+  /// keeps its arc length.
+  double s_first = 0.0;
 };
 
 /// `periods` waves of a sine of `amplitude` (metres, to the left of start->end first), sampled so that no chord is

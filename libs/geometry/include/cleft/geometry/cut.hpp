@@ -31,7 +31,7 @@ struct FaceSegment {
   Index cut = kNone;  ///< index into CutMesh::elements; none in a tip's own triangle, which is not divided
   Index crack = kNone;
   Vec2 start, end;       ///< reference coordinates, metres
-  double s_start = 0.0;  ///< arc length along the crack from its first point, metres
+  double s_start = 0.0;  ///< arc length along the crack (Crack::s_first at its first point), metres
   double s_end = 0.0;
   bool joins_previous = false;  ///< the previous entry of CutMesh::segments ends where this one starts
   Index tip = kNone;            ///< index into CutMesh::tips of the ball that it touches, or kNone
@@ -42,7 +42,7 @@ struct CrackEnd {
   enum class Kind { Tip, Mouth } kind = Kind::Tip;  ///< inside the body, or at (or beyond) its boundary
   Vec2 nominal;                                     ///< the polyline's end
   Vec2 effective;  ///< where the cut really ends: on an element edge, on the boundary, or at a tip with a ball
-  double s = 0.0;  ///< arc length of `effective` (below 0 or above the nominal length where the tip was moved out)
+  double s = 0.0;  ///< arc length of `effective` (beyond that of the nominal end where the tip was moved out)
 };
 
 struct CrackCut {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cleft/assembly/stepping.hpp"
+#include "cleft/growth/evolution.hpp"
 #include "cleft/scene/vtu.hpp"
 
 namespace cleft::scene {
@@ -14,6 +15,7 @@ struct Checkpoint {
   assembly::State state;
   assembly::StepPlace place;
   assembly::ContactRoom room;
+  growth::Record growth;
   long iterations = 0, cuts = 0;
   double worst_residual = 0.0;
   double seconds = 0.0;

@@ -13,6 +13,7 @@
 #include "cleft/assembly/stepping.hpp"
 #include "cleft/contact/surfaces.hpp"
 #include "cleft/geometry/delaunay.hpp"
+#include "cleft/growth/criterion.hpp"
 #include "cleft/support/error.hpp"
 
 namespace cleft::scene {
@@ -85,6 +86,7 @@ struct CrackSpec {
   double friction = 0.0;
   bool intensities = false;  ///< whether the stress intensity factors of its tips are asked for
   std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
+  std::optional<growth::Law> growth;                         ///< none: the crack stays as it is
 };
 
 /// Piecewise linear factor of the load, constant beyond its ends.
@@ -165,6 +167,10 @@ struct Scene {
   LoadingSpec loading;
   SolverSpec solver;
 };
+
+/// Whether some crack may grow, and whether this one does by its stress intensity factors.
+bool grows(const Scene& scene);
+bool grows_by_intensities(const CrackSpec& crack);
 
 /// The scene as solved, as JSON text with every default filled in.
 std::string to_json(const Scene& scene);

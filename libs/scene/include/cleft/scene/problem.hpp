@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cleft/assembly/stepping.hpp"
+#include "cleft/growth/evolution.hpp"
 #include "cleft/scene/description.hpp"
 #include "cleft/scene/field.hpp"
 
@@ -11,6 +12,10 @@ namespace cleft::scene {
 /// Meshes, cuts, numbers and binds boundary values. Throws InputError, located in the scene, on what only then shows: a
 /// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
 assembly::Model build_model(const Scene& scene);
+
+/// The body that `build_model` has made of the scene, with cracks that grow as the scene says. When they do it is
+/// discretised anew on the same mesh; its penalties stay.
+growth::Evolution make_evolution(const Scene& scene, assembly::Model model);
 
 /// Young's modulus over the mean size of the elements that each crack cuts, Pa/m: the default of both penalties. Of
 /// several materials along a crack the softest counts.

@@ -1,37 +1,34 @@
-#include "intensities.hpp"
-
-#include <fmt/format.h>
+#include "cleft/assembly/intensities.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "cleft/assembly/stress.hpp"
 
-namespace cleft::scene {
+namespace cleft::assembly {
 namespace {
 
 using enrichment::FacePiece, enrichment::Intensities, enrichment::PlaneStrain;
 using geometry::Side;
 
 // Any material point in the ball of a tip: they are all of one material (fill_with_materials).
-Index point_near(const assembly::Model& m, Index tip) {
+Index point_near(const Model& m, Index tip) {
   const auto at = std::ranges::find(m.tip_points, tip, &enrichment::TipPoint::tip);
   return static_cast<Index>(m.cells.size()) + static_cast<Index>(at - m.tip_points.begin());
 }
 
-PlaneStrain body_of(const assembly::Model& m, Index tip) {
+PlaneStrain body_of(const Model& m, Index tip) {
   const auto& c = m.constants(point_near(m, tip));
   return {c.mu, 0.5 * c.lambda / (c.lambda + c.mu)};
 }
 
 // What the faces of a crack transmit, point by point: on the face that carries the point, and opposite to it.
-std::vector<FacePiece> tractions(const assembly::LoadStepper& stepper, Index crack) {
-  const auto& surfaces = stepper.model().surfaces;
+std::vector<FacePiece> tractions(const Equilibrium& body, Index crack) {
+  const auto& surfaces = body.model.surfaces;
   std::vector<FacePiece> out;
-  for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
-    const auto& pair = stepper.pairs()[p];
+  for (std::size_t p = 0; p < body.pairs.size(); ++p) {
+    const auto& pair = body.pairs[p];
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     if (face.crack != crack || !contact::presses(pair)) continue;
@@ -67,16 +64,16 @@ double distance(const FacePiece& piece, const geometry::TipBall& ball) {
   return (0.5 * (piece.start + piece.end) - ball.frame.tip()).norm();
 }
 
-bool is_closed(const assembly::LoadStepper& stepper, const geometry::TipBall& ball) {
-  const auto& surfaces = stepper.model().surfaces;
+bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
+  const auto& surfaces = body.model.surfaces;
   bool any = false;
-  for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
+  for (std::size_t p = 0; p < body.pairs.size(); ++p) {
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     const Vec2 X = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
     if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > ball.radius) continue;
     any = true;
-    if (!contact::presses(stepper.pairs()[p])) return false;
+    if (!contact::presses(body.pairs[p])) return false;
   }
   return any;
 }
@@ -99,28 +96,36 @@ void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
   }
 }
 
-Intensities by_integral(const assembly::LoadStepper& stepper, Index tip) {
-  const auto& m = stepper.model();
+}  // namespace
+
+Index ball_at(const Model& m, Index crack, int end) {
+  for (std::size_t tip = 0; tip < m.cut.tips.size(); ++tip)
+    if (m.cut.tips[tip].crack == crack && m.cut.tips[tip].end == end) return static_cast<Index>(tip);
+  return kNone;
+}
+
+Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
+  const auto& m = body.model;
   const auto& ball = m.cut.tips[tip];
-  const VecX& u = stepper.state().displacement;
+  const VecX& u = body.displacement;
   const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
     const Mat2 F = point.deformation(u);
-    return {F - Mat2::Identity(), assembly::stress_of(material, F).in_plane};
+    return {F - Mat2::Identity(), stress_of(material, F).in_plane};
   };
-  auto pieces = tractions(stepper, ball.crack);
-  if (is_closed(stepper, ball)) smooth(ball, pieces);
+  auto pieces = tractions(body, ball.crack);
+  if (is_closed(body, ball)) smooth(ball, pieces);
   return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip));
 }
 
-Intensities by_faces(const assembly::LoadStepper& stepper, Index tip) {
+Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
-  const auto& m = stepper.model();
+  const auto& m = body.model;
   const auto& ball = m.cut.tips[tip];
-  const auto body = body_of(m, tip);
+  const auto solid = body_of(m, tip);
   const Vec2 ahead = ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
-  const VecX& u = stepper.state().displacement;
+  const VecX& u = body.displacement;
   Line opening, sliding;
   for (std::size_t s = 0; s < m.cut.segments.size(); ++s) {
     if (m.cut.segments[s].tip != tip) continue;
@@ -129,32 +134,11 @@ Intensities by_faces(const assembly::LoadStepper& stepper, Index tip) {
     const Vec2 jump = above.start.displacement(u) - below.start.displacement(u);
     const double r = (above.reference_start - ball.frame.tip()).norm();
     if (r < kNearest * ball.radius || r > m.unknowns.plateau * ball.radius) continue;
-    const double factor = body.shear_modulus / (body.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
+    const double factor = solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));
   }
   return {opening(0.0), sliding(0.0)};
 }
 
-}  // namespace
-
-std::vector<std::string> intensity_columns(const std::string& crack) {
-  std::vector<std::string> out;
-  for (const char* end : {"start", "end"})
-    for (const char* what : {"k1", "k2", "k1_faces", "k2_faces"})
-      out.push_back(fmt::format("{}_{}_{}", what, crack, end));
-  return out;
-}
-
-std::vector<double> intensities_of(const assembly::LoadStepper& stepper, Index crack) {
-  const auto& tips = stepper.model().cut.tips;
-  std::vector<double> out(8, std::numeric_limits<double>::quiet_NaN());
-  for (Index tip = 0; tip < static_cast<Index>(tips.size()); ++tip) {
-    if (tips[tip].crack != crack) continue;
-    const Intensities a = by_integral(stepper, tip), b = by_faces(stepper, tip);
-    std::ranges::copy(std::array{a.K_I, a.K_II, b.K_I, b.K_II}, out.begin() + 4 * tips[tip].end);
-  }
-  return out;
-}
-
-}  // namespace cleft::scene
+}  // namespace cleft::assembly

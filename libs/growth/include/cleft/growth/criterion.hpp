@@ -1,0 +1,80 @@
+/// \file
+/// When a crack's tip advances, and where to. A criterion is a struct with its parameters and one function `judge`; a
+/// new one joins the variant.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <variant>
+
+#include "cleft/assembly/equilibrium.hpp"
+#include "cleft/enrichment/sif.hpp"
+
+namespace cleft::growth {
+
+/// A tip by its crack and its end (0 the first, 1 the last point).
+struct TipName {
+  Index crack = kNone;
+  int end = 0;
+};
+
+/// What a body asks of a tip.
+struct Demand {
+  double measure = 0.0;      ///< over what the material bears: the tip advances at 1
+  Vec2 ahead{1.0, 0.0};      ///< unit vector, in the reference configuration: the way that it would take
+  double stress = kUnknown;  ///< Pa: largest principal value of the mean Cauchy stress (Rankine)
+  enrichment::Intensities intensities{kUnknown, kUnknown};  ///< Pa m^(1/2) (maximum hoop stress)
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The largest principal value of the mean Cauchy stress around the tip reaches a strength (Liu and Borja 2010, (94)).
+/// Stress and deformation gradient F are means over the material points within `radius` of the tip in the reference
+/// configuration, by their areas; of a part of a triangle its centre counts. The crack goes on along the line normal to
+/// the pulled-back principal direction, N = n . F / |n . F| (93), in the sense that leads ahead.
+///
+/// Around the tip of a closed, sliding crack the field of mode II has means of zero but for the shear stress, whose
+/// principal directions lie at 45 degrees: that is where the crack turns, not the 70.5 degrees of the hoop stress.
+struct Rankine {
+  double strength = 0.0;  ///< Pa
+  double radius = 0.0;    ///< metres
+
+  /// The measure is not a number where no material point lies within the radius.
+  Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
+};
+
+/// The largest hoop stress of the singular field reaches that of mode I at a toughness (Erdogan and Sih 1963):
+///
+///     cos^2(t/2) [K_I cos(t/2) - 3 K_II sin(t/2)] = K_c,   tan(t/2) = [K_I - sqrt(K_I^2 + 8 K_II^2)] / (4 K_II),
+///
+/// and the crack turns by t. Intensities are those of the interaction integral. Closed faces bear no K_I below zero.
+struct HoopStress {
+  double toughness = 0.0;  ///< K_c, Pa m^(1/2)
+
+  /// The tip must have a ball (geometry::TipBall).
+  Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
+};
+
+using Criterion = std::variant<Rankine, HoopStress>;
+
+/// How a crack grows.
+struct Law {
+  Criterion criterion;
+  double advance = 0.0;                ///< length of one advance, metres, in the reference configuration
+  int most = 1000;                     ///< advances of each tip
+  std::array<bool, 2> tips{true, true};  ///< which ends may grow: the first, the last
+  double load_tolerance = 1e-4;        ///< of the load at which a tip begins to advance
+};
+
+/// Angle by which a tip of given intensities turns, radians, to the left; and the intensity of mode I that opens it as
+/// much there, Pa m^(1/2).
+struct HoopDirection {
+  double turn = 0.0;
+  double intensity = 0.0;
+};
+HoopDirection largest_hoop_stress(const enrichment::Intensities& k);
+
+/// Number of material points within a radius of a tip.
+long points_around(const assembly::Model& model, const TipName& tip, double radius);
+
+}  // namespace cleft::growth

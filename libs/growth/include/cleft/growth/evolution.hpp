@@ -1,0 +1,119 @@
+/// \file
+/// A body taken from load 0 to 1 whose cracks may grow on the way.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cleft/assembly/stepping.hpp"
+#include "cleft/growth/criterion.hpp"
+
+namespace cleft::growth {
+
+/// Why a tip grows no more.
+enum class Stop : std::uint8_t { None, Boundary, Crack, Most };
+
+/// An advance that is due.
+struct Due {
+  TipName tip;
+  Demand demand;
+};
+
+/// What growth needs to go on, besides the state: what a checkpoint holds.
+struct Record {
+  struct Tip {
+    int advances = 0;
+    Stop stop = Stop::None;
+  };
+  std::vector<std::vector<Vec2>> points;  ///< of each crack, as grown; metres
+  std::vector<double> s_first;            ///< of each crack (geometry::Crack::s_first)
+  std::vector<std::array<Tip, 2>> tips;   ///< of each crack
+  std::vector<Due> due;                   ///< at the present state
+  double measure = 0.0;                   ///< largest demand at the present state
+  double beyond = kNever;                 ///< least load known at which a tip would advance,
+  double measure_beyond = 0.0;            ///< and the largest demand there
+  static constexpr double kNever = 2.0;   ///< a load that no run reaches
+};
+
+/// One tip's part in a step of growth.
+struct Advance {
+  TipName tip;
+  int number = 0;       ///< of this tip's advances, from 1
+  Vec2 point;           ///< where the tip is now, metres
+  double length = 0.0;  ///< by which the crack got longer, metres; 0 where there was no room
+  double angle = 0.0;   ///< of the new piece from the x axis, radians
+  double turn = 0.0;    ///< of the new piece against the one before, radians, positive to the left
+  Demand demand;
+  Stop stop = Stop::None;  ///< why it was the last, if it was
+  std::string hindrance;   ///< what the crack would have run into, in words
+};
+
+/// A converged increment of the load, or the equilibrium at the same load after cracks have grown.
+struct Step : assembly::Step {
+  std::vector<Advance> advances;  ///< none in an increment
+  double released = 0.0;          ///< energy that all of them together set free, J/m
+};
+
+/// Takes a body from load 0 to 1. A tip advances when its demand reaches 1: the load of that moment is found within the
+/// tolerance of the laws, by shorter and shorter increments around it, so that it hardly depends on the increments.
+/// Then all tips that are due advance, the body is cut anew, finds its equilibrium at the same load, and is judged
+/// again. Without a law this is a LoadStepper and no more.
+///
+/// An advance ends at the boundary of the body, which is then cut through. One that would meet a crack, or cut elements
+/// that another crack cuts, is tried at half and a quarter of its length and is the tip's last.
+class Evolution {
+ public:
+  /// The same body with other cracks: as many of them, longer than those of the first model. Throws InputError.
+  using Recut = std::function<assembly::Model(const std::vector<geometry::Crack>&)>;
+
+  /// `laws`: one entry a crack, or none at all. Growth needs Control::Load.
+  Evolution(assembly::Model model, assembly::StepControls controls, std::vector<std::optional<Law>> laws = {},
+            Recut recut = {});
+
+  bool done() const { return stepper_->done() && record_.due.empty(); }
+
+  /// One converged increment or one step of growth, or the failure that ends the run.
+  std::variant<Step, assembly::Failure> advance(const assembly::IterationObserver& observer = {});
+
+  const assembly::LoadStepper& stepper() const { return *stepper_; }
+  const assembly::Model& model() const { return *model_; }
+  const Record& record() const { return record_; }
+
+  /// The state that the last step of growth started from, on the present model; not in balance.
+  const assembly::State& origin() const { return origin_; }
+
+  /// Of all models so far.
+  assembly::AssemblySeconds assembly_seconds() const;
+  assembly::SolverSeconds solver_seconds() const;
+
+  /// Goes on from what an earlier run kept.
+  void restore(Record record, assembly::State state, assembly::StepPlace place, assembly::ContactRoom room);
+
+ private:
+  struct Judged {
+    std::vector<Due> tips;
+    double largest = 0.0;
+  };
+  Judged judge(const assembly::Equilibrium& body) const;
+  bool may_grow(const TipName& tip) const;
+  double tolerance() const;
+  std::variant<Step, assembly::Failure> increase(const assembly::IterationObserver& observer);
+  std::variant<Step, assembly::Failure> grow(const assembly::IterationObserver& observer);
+  Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
+  void cut_anew(const std::vector<geometry::Crack>& cracks, assembly::State state, assembly::StepPlace place,
+                std::optional<assembly::ContactRoom> room);
+
+  assembly::StepControls controls_;
+  std::vector<std::optional<Law>> laws_;
+  Recut recut_;
+  std::unique_ptr<const assembly::Model> model_;
+  std::unique_ptr<assembly::LoadStepper> stepper_;
+  Record record_;
+  assembly::State origin_;
+  assembly::AssemblySeconds assembly_before_;
+  assembly::SolverSeconds solver_before_;
+};
+
+}  // namespace cleft::growth

@@ -1,0 +1,12 @@
+// Where the material points of a model are.
+#pragma once
+
+#include "cleft/assembly/model.hpp"
+
+namespace cleft::growth {
+
+/// Centre of the part of the body that a material point stands for, metres: of a triangle, of one side of a cut one, or
+/// the point itself in the ball of a tip.
+Vec2 place_of(const assembly::Model& model, Index point);
+
+}  // namespace cleft::growth
