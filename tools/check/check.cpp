@@ -30,7 +30,18 @@ std::string switched_on(const scene::Scene& scene, const assembly::Model& model)
   if (model.has_memory()) out += ", plastic history";
   if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
   if (std::ranges::any_of(scene.materials, scene::is_viscous)) out += ", viscous flow";
+  if (scene::grows(scene)) out += ", growth of cracks";
   return out;
+}
+
+std::string describe(const growth::Law& law) {
+  const char* const tips = law.tips[0] && law.tips[1] ? "both tips" : law.tips[0] ? "first tip" : "last tip";
+  const std::string when =
+      std::holds_alternative<growth::Rankine>(law.criterion)
+          ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<growth::Rankine>(law.criterion).strength,
+                        std::get<growth::Rankine>(law.criterion).radius)
+          : fmt::format("at {:.4g} Pa m^0.5", std::get<growth::HoopStress>(law.criterion).toughness);
+  return fmt::format("{} advance by {:.4g} m {}, {} times at most", tips, law.advance, when, law.most);
 }
 
 std::string name_of(const scene::MaterialSpec::Region& region) {
@@ -64,6 +75,7 @@ int check(const Options& options) {
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));
     const auto& law = model.surfaces.laws[k];
+    if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
     print("", fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
                           law.tangential_penalty));
   }

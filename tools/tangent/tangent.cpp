@@ -28,26 +28,39 @@ void print_blocks(const verify::TangentReport& report) {
   }
 }
 
-void print_worst(const assembly::Model& model, const verify::TangentReport& report) {
-  fmt::print("\nworst entries, N/m^2\n");
-  for (const auto& [name, block] : report.blocks) {
-    const auto& w = block.worst;
-    if (w.error() == 0.0) continue;
-    fmt::print("  {}: {}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}\n", name,
-               verify::describe_piece(model, w.cell, w.point), w.exact, w.difference,
-               verify::describe_component(model, w.row), verify::describe_component(model, w.column));
+// Where things were found, in words: the model that their numbers belong to is gone once cracks have grown.
+struct Places {
+  std::map<std::string, std::string> worst;  // by block
+  std::vector<std::string> kinks;
+
+  void add(const assembly::Model& model, double load, const verify::TangentReport& report) {
+    for (const auto& [name, block] : report.blocks) {
+      const auto& w = block.worst;
+      if (w.error() == 0.0 || w.load != load) continue;
+      worst[name] = fmt::format(
+          "{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
+          verify::describe_piece(model, w.cell, w.point), w.exact, w.difference,
+          verify::describe_component(model, w.row), verify::describe_component(model, w.column));
+    }
+    for (std::size_t k = kinks.size(); k < report.kinks.size(); ++k)
+      kinks.push_back(verify::describe_piece(model, report.kinks[k].cell, report.kinks[k].point));
   }
+};
+
+void print_worst(const Places& places) {
+  fmt::print("\nworst entries, N/m^2\n");
+  for (const auto& [name, place] : places.worst) fmt::print("  {}: {}\n", name, place);
 }
 
-void print_kinks(const assembly::Model& model, const verify::TangentReport& report) {
+void print_kinks(const Places& places, const verify::TangentReport& report) {
   if (report.kinks.empty()) return;
   constexpr long kMost = 5;  // of each reason
   fmt::print("\nnot judged, or not in all entries\n");
   std::map<std::string, long> seen;
-  for (const auto& kink : report.kinks)
-    if (++seen[kink.reason] <= kMost)
-      fmt::print("  load {:.4g}: {}: {}\n", kink.load, verify::describe_piece(model, kink.cell, kink.point),
-                 kink.reason);
+  for (std::size_t k = 0; k < report.kinks.size(); ++k) {
+    const auto& kink = report.kinks[k];
+    if (++seen[kink.reason] <= kMost) fmt::print("  load {:.4g}: {}: {}\n", kink.load, places.kinks[k], kink.reason);
+  }
   for (const auto& [reason, number] : seen)
     if (number > kMost) fmt::print("  {}: {} in all\n", reason, number);
 }
@@ -67,21 +80,22 @@ int verdict(const verify::TangentReport& report, double tolerance) {
 
 int tangent(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  auto body = scene::make_evolution(scene, scene::build_model(scene));
+  Places places;
   verify::TangentReport report;
   std::optional<assembly::Failure> no_forces;
   // The run behind a wrong tangent is not worth waiting for.
-  const auto failure = verify::visit_between(stepper, options.states, [&](const verify::StateBetween& between) {
-    no_forces = verify::check_tangent(model, between.before.history, between.displacement, between.load,
+  const auto failure = verify::visit_between(body, options.states, [&](const verify::StateBetween& between) {
+    no_forces = verify::check_tangent(between.model, between.before.history, between.displacement, between.load,
                                       options.tolerance, report);
+    places.add(between.model, between.load, report);
     return !no_forces && report.worst() < options.tolerance;
   });
   fmt::print("{} states between converged ones; differences over the largest entry of the same piece in the row\n\n",
              report.states);
   print_blocks(report);
-  print_worst(model, report);
-  print_kinks(model, report);
+  print_worst(places);
+  print_kinks(places, report);
   for (const auto& reason : {failure, no_forces})
     if (reason) fmt::print(stderr, "the run failed: {}; try {}\n", assembly::describe(*reason), reason->advice);
   const int held = verdict(report, options.tolerance);

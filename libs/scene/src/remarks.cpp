@@ -32,6 +32,11 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     const std::string crack = "crack '" + scene.cracks[k].name + "'";
     for (const auto& end : model.cut.cracks[k].ends) about_end(model.mesh, crack, end, out);
     const auto& law = model.surfaces.laws[k];
+    const auto& growth = scene.cracks[k].growth;
+    const double size = scene.materials.front().young / scale[k];
+    if (growth && scene.materials.size() == 1 && growth->advance < size)
+      out.push_back(fmt::format("{}: an advance of {:.3g} m is shorter than the elements ({:.3g} m)", crack,
+                                growth->advance, size));
     if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
     if (law.normal_penalty > kStiff * scale[k])
       out.push_back(

@@ -103,6 +103,12 @@ TEST(Problem, RefusesWhatItsKinematicsOrMaterialCannotDo) {
   EXPECT_EQ(key_of(replaced(plastic, "[loading]", "[exact]\nsolution = \"waves\"\n[loading]"), {}), "exact.solution");
   EXPECT_EQ(key_of(plastic, {"formulation.tip_enrichment=0.003", "crack.main.intensities=true"}),
             "crack[0].intensities");
+  const std::string hoop = "crack.main.growth={criterion='hoop-stress',toughness=1e6,advance=0.01}",
+                    rankine = "crack.main.growth={criterion='rankine',strength=1e7,radius=0.01,advance=0.01}";
+  EXPECT_EQ(key_of(kBlock, {"formulation.tip_enrichment=0.01", hoop}), "accepted");
+  EXPECT_EQ(key_of(plastic, {"formulation.tip_enrichment=0.01", hoop}), "crack[0].growth");
+  EXPECT_EQ(key_of(plastic, {rankine}), "accepted");
+  EXPECT_EQ(key_of(kBlock, {rankine, "loading.control='path'"}), "loading.control");
 }
 
 TEST(Problem, ComparesBoundariesWhereTheirAmplitudesBend) {

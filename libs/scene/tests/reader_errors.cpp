@@ -123,6 +123,25 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
   });
 }
 
+TEST(SceneReader, ReportsFaultsOfGrowth) {
+  const char* const contact = "contact = { normal_penalty = 2.0e12 }";
+#define GROWTH "growth = { criterion = \"rankine\", strength = 1e7, radius = 0.01, "
+  expect_all_reported({
+      {contact, "growth = @{ criterion = \"rankine\" }", "crack[0].growth.strength", "missing"},
+      {contact, "growth = { criterion = @\"griffith\" }", "crack[0].growth.criterion",
+       "'griffith' is not available; allowed: rankine, hoop-stress"},
+      {contact, GROWTH "advance = @0.0 }", "crack[0].growth.advance", "allowed: a positive number, m"},
+      {contact, GROWTH "advance = 0.01, toughness = @1e6 }", "crack[0].growth.toughness",
+       "is none of criterion = \"rankine\""},
+      {contact, GROWTH "advance = 0.01, most = @0 }", "crack[0].growth.most", "allowed: 1 to"},
+      {contact, GROWTH "advance = 0.01, tips = @\"start\" }", "crack[0].growth.tips", "allowed: both, first, last"},
+      {contact, GROWTH "advance = 0.01, load_tolerance = @0 }", "crack[0].growth.load_tolerance", "1e-10 to 1"},
+      {contact, "growth = @{ criterion = \"hoop-stress\", toughness = 1e6, advance = 0.01 }", "crack[0].growth",
+       "the ball of a tip"},
+  });
+#undef GROWTH
+}
+
 TEST(SceneReader, ReportsFaultsOfACrack) {
   const char* const points = "points = [[0.0, 0.01833], [0.0349, 0.05323]]";
   expect_all_reported({
@@ -134,21 +153,6 @@ TEST(SceneReader, ReportsFaultsOfACrack) {
       {"[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]", "@[[crack]]\nname = \"main\"",
        "crack[0].points", "missing"},
       {"friction = 0.3", "friction = @-0.1", "crack[0].friction", "-0.1 is out of range; allowed: 0 or greater"},
-      {"friction = 0.3", "friction = 0.3\ngrowth = @{ criterion = \"rankine\" }", "crack[0].growth.strength",
-       "missing"},
-      {"friction = 0.3", "friction = 0.3\ngrowth = { criterion = @\"griffith\" }", "crack[0].growth.criterion",
-       "'griffith' is not available; allowed: rankine, hoop-stress"},
-      {"friction = 0.3", "friction = 0.3\n" + rankine + "advance = @0.0 }", "crack[0].growth.advance", "positive"},
-      {"friction = 0.3", "friction = 0.3\n" + rankine + "advance = 0.01, toughness = @1e6 }",
-       "crack[0].growth.toughness", "is none of criterion = \"rankine\""},
-      {"friction = 0.3", "friction = 0.3\n" + rankine + "advance = 0.01, most = @0 }", "crack[0].growth.most", "1 to"},
-      {"friction = 0.3", "friction = 0.3\n" + rankine + "advance = 0.01, tips = @\"start\" }", "crack[0].growth.tips",
-       "allowed: both, first, last"},
-      {"friction = 0.3", "friction = 0.3\n" + rankine + "advance = 0.01, load_tolerance = @0 }",
-       "crack[0].growth.load_tolerance", "1e-10 to 1"},
-      {"friction = 0.3",
-       "friction = 0.3\ngrowth = @{ criterion = \"hoop-stress\", toughness = 1e6, advance = 0.01 }", "crack[0].growth",
-       "the ball of a tip"},
       {"friction = 0.3", "friction = 0.3\nperiods = @2", "crack[0].periods", "allowed with curve = \"sine\" only"},
       {"friction = 0.3", "friction = 0.3\namplitude = @1.0", "crack[0].amplitude", "belongs to a curve"},
       {points, "points = @[[0, 0.01], [0.02, 0.03]]\ncurve = \"sine\"", "crack[0].points", "polyline or a curve"},

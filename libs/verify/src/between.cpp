@@ -8,8 +8,8 @@ namespace {
 // Neither a converged state nor halfway, where a motion that turns back would stand still.
 constexpr double kPart = 0.37;
 
-StateBetween between(const assembly::State& before, const VecX& after, double load) {
-  return {before, before.displacement + kPart * (after - before.displacement),
+StateBetween between(const assembly::Model& model, const assembly::State& before, const VecX& after, double load) {
+  return {model, before, before.displacement + kPart * (after - before.displacement),
           before.load + kPart * (load - before.load)};
 }
 
@@ -24,27 +24,31 @@ StateBetween beyond(const assembly::LoadStepper& stepper) {
   assembly::LinearSolver solver(assembly::LoadStepper::factorisation_for(stepper.model()));
   const auto trial =
       assembly::solve_increment(stepper.model(), stepper.constraints(), state, {load}, once, assembler, solver, {});
-  return between(state, trial.displacement, load);
+  return between(stepper.model(), state, trial.displacement, load);
 }
 
 }  // namespace
 
-std::optional<assembly::Failure> visit_between(assembly::LoadStepper& stepper, int states,
+std::optional<assembly::Failure> visit_between(growth::Evolution& body, int states,
                                                const std::function<bool(const StateBetween&)>& visit) {
   int visited = 0;  // of the loads (k + 1/2) / states
   const auto next = [&] { return (visited + 0.5) / states; };
-  while (!stepper.done() && visited < states) {
-    assembly::State before = stepper.state();
-    const auto outcome = stepper.advance();
+  while (!body.done() && visited < states) {
+    assembly::State before = body.stepper().state();
+    const auto outcome = body.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      visit(beyond(stepper));
+      visit(beyond(body.stepper()));
       return *failure;
     }
-    const assembly::State& after = stepper.state();
+    const assembly::State& after = body.stepper().state();
+    if (!std::get<growth::Step>(outcome).advances.empty()) {
+      if (!visit(between(body.model(), body.origin(), after.displacement, after.load))) break;
+      continue;
+    }
     before.history.duration = after.load - before.load;
     if (after.load < next()) continue;
     while (next() <= after.load) ++visited;
-    if (!visit(between(before, after.displacement, after.load))) break;
+    if (!visit(between(body.model(), before, after.displacement, after.load))) break;
   }
   return std::nullopt;
 }

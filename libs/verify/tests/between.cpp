@@ -11,17 +11,16 @@ namespace cleft::verify {
 namespace {
 
 struct Plain {
-  assembly::Model model;
-  assembly::LoadStepper stepper;
+  growth::Evolution body;
   explicit Plain(std::initializer_list<std::string> overrides)
       : Plain(scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/plain.toml", overrides)) {}
   explicit Plain(const scene::Scene& scene)
-      : model(scene::build_model(scene)), stepper(model, scene::step_controls(scene)) {}
+      : body(scene::make_evolution(scene, scene::build_model(scene))) {}
 };
 
 std::vector<double> loads(Plain& run, int states) {
   std::vector<double> out;
-  EXPECT_FALSE(visit_between(run.stepper, states, [&](const StateBetween& b) {
+  EXPECT_FALSE(visit_between(run.body, states, [&](const StateBetween& b) {
     EXPECT_LT(b.before.load, b.load);
     out.push_back(b.load);
     return true;
@@ -46,9 +45,9 @@ TEST(VisitBetween, StopsOnceAnIncrementWhereMoreStatesAreAskedFor) {
 
 TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
   Plain run({"mesh.cells=[2,4]", "loading.steps=4"});
-  EXPECT_FALSE(visit_between(run.stepper, 1, [&](const StateBetween& b) {
+  EXPECT_FALSE(visit_between(run.body, 1, [&](const StateBetween& b) {
     EXPECT_NEAR(b.before.load, 0.25, 1e-12);
-    const VecX& after = run.stepper.state().displacement;
+    const VecX& after = run.body.stepper().state().displacement;
     EXPECT_LT((b.displacement - b.before.displacement - 0.37 * (after - b.before.displacement)).norm(), 1e-15);
     EXPECT_GT((after - b.before.displacement).norm(), 1e-4);
     return true;
@@ -58,15 +57,15 @@ TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
 TEST(VisitBetween, EndsWhereTheVisitorHasSeenEnough) {
   Plain run({"mesh.cells=[2,4]", "loading.steps=10"});
   int visits = 0;
-  EXPECT_FALSE(visit_between(run.stepper, 5, [&](const StateBetween&) { return ++visits < 2; }));
+  EXPECT_FALSE(visit_between(run.body, 5, [&](const StateBetween&) { return ++visits < 2; }));
   EXPECT_EQ(visits, 2);
-  EXPECT_NEAR(run.stepper.state().load, 0.3, 1e-12);
+  EXPECT_NEAR(run.body.stepper().state().load, 0.3, 1e-12);
 }
 
 TEST(VisitBetween, StopsOnceMoreWhereTheRunFails) {
   Plain run({"mesh.cells=[2,4]", "solver.max_iterations=1", "solver.min_step=0.04"});
   std::vector<double> seen;
-  const auto failure = visit_between(run.stepper, 3, [&](const StateBetween& b) {
+  const auto failure = visit_between(run.body, 3, [&](const StateBetween& b) {
     seen.push_back(b.load);
     EXPECT_GT(b.displacement.norm(), 0.0);
     return true;

@@ -15,25 +15,26 @@ namespace {
 constexpr double kTolerance = 1e-6;
 
 struct Subject {
-  assembly::Model model;
-  assembly::LoadStepper stepper;
+  growth::Evolution body;
   Subject(const std::string& scene, const std::vector<std::string>& overrides)
       : Subject(
             scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/" + scene + ".toml", overrides)) {}
   explicit Subject(const scene::Scene& scene)
-      : model(scene::build_model(scene)), stepper(model, scene::step_controls(scene)) {}
+      : body(scene::make_evolution(scene, scene::build_model(scene))) {}
+  const assembly::Model& model() const { return body.model(); }
+  const assembly::State& state() const { return body.stepper().state(); }
 
   TangentReport along_the_run(int states) {
     TangentReport report;
-    EXPECT_FALSE(visit_between(stepper, states, [&](const StateBetween& b) {
-      EXPECT_FALSE(check_tangent(model, b.before.history, b.displacement, b.load, kTolerance, report));
+    EXPECT_FALSE(visit_between(body, states, [&](const StateBetween& b) {
+      EXPECT_FALSE(check_tangent(b.model, b.before.history, b.displacement, b.load, kTolerance, report));
       return true;
     }));
     return report;
   }
   TangentReport at(const VecX& u) const {
     TangentReport report;
-    EXPECT_FALSE(check_tangent(model, stepper.state().history, u, stepper.state().load, kTolerance, report));
+    EXPECT_FALSE(check_tangent(model(), state().history, u, state().load, kTolerance, report));
     return report;
   }
 };
@@ -50,9 +51,9 @@ TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
     EXPECT_LT(report.worst(), 1e-8);
     EXPECT_TRUE(report.kinks.empty());
     EXPECT_TRUE(report.enough());
-    const auto cells = static_cast<long>(block.model.cells.size()),
-               points = static_cast<long>(block.model.surfaces.points.size());
-    EXPECT_EQ(report.blocks["bulk left"].pieces, 3 * static_cast<long>(block.model.cut.elements.size()));
+    const auto cells = static_cast<long>(block.model().cells.size()),
+               points = static_cast<long>(block.model().surfaces.points.size());
+    EXPECT_EQ(report.blocks["bulk left"].pieces, 3 * static_cast<long>(block.model().cut.elements.size()));
     EXPECT_EQ(report.blocks["bulk right"].pieces, report.blocks["bulk left"].pieces);
     EXPECT_EQ(report.blocks["bulk"].pieces, 3 * cells - 2 * report.blocks["bulk left"].pieces);
     long judged = 0;
@@ -74,7 +75,7 @@ TEST(CheckTangent, JudgesYieldingBodiesAndEnrichedTips) {
       TangentReport report = block.along_the_run(2);
       EXPECT_LT(report.worst(), 1e-6) << scene << " " << radius;
       EXPECT_TRUE(report.enough());
-      const auto points = static_cast<long>(block.model.surfaces.points.size());
+      const auto points = static_cast<long>(block.model().surfaces.points.size());
       long judged = 0;
       for (const auto& [name, piece] : report.blocks)
         if (name.starts_with("contact")) judged += piece.pieces;
@@ -86,17 +87,17 @@ TEST(CheckTangent, ChoosesStepsThatKeepPointsOnTheirBranch) {
   Subject crack("through_crack", {"loading.steps=1", "crack.joint.friction=0.8"});
   TangentReport report = crack.along_the_run(1);
   EXPECT_EQ(report.blocks["contact stick"].pieces + report.blocks["contact at a mouth"].pieces,
-            static_cast<long>(crack.model.surfaces.points.size()));
+            static_cast<long>(crack.model().surfaces.points.size()));
   EXPECT_TRUE(report.kinks.empty());
   EXPECT_LT(report.worst(), kTolerance);
 }
 
 TEST(CheckTangent, ListsTheKinkOnWhichSlidingPointsSitOnceTheirAnchorsHaveMoved) {
   Subject block("block", {"mesh.cells=[8,16]"});
-  while (block.stepper.state().load < 0.5) ASSERT_EQ(block.stepper.advance().index(), 0u);
-  const auto sliding = std::count_if(block.stepper.pairs().begin(), block.stepper.pairs().end(),
+  while (block.state().load < 0.5) ASSERT_EQ(block.body.advance().index(), 0u);
+  const auto sliding = std::count_if(block.body.stepper().pairs().begin(), block.body.stepper().pairs().end(),
                                      [](const auto& p) { return p.state.traction.status == contact::Status::Slip; });
-  TangentReport report = block.at(block.stepper.state().displacement);
+  TangentReport report = block.at(block.state().displacement);
   EXPECT_EQ(number_of(report, "between stick and slip"), sliding);
   EXPECT_FALSE(report.blocks.contains("contact slip"));
   EXPECT_GT(report.blocks["assembled"].left_out, 100);
@@ -109,7 +110,7 @@ TEST(CheckTangent, HoldsWhereTwoMaterialsMeetAndWhereGhostsAreTied) {
                         "crack.interface.points=[[0.0, 0.6004], [4.0, 0.6004]]",
                         "material=[{region={crack='interface',side='left'},model='neo-hookean',young=2e10,poisson=0.3},"
                         "{model='drucker-prager',young=1e10,poisson=0.25,cohesion=3e8,friction=0.6,dilatancy=0.4}]"});
-  EXPECT_FALSE(drag.model.ties.empty());
+  EXPECT_FALSE(drag.model().ties.empty());
   const TangentReport report = drag.along_the_run(3);
   EXPECT_LT(report.worst(), kTolerance);
   EXPECT_TRUE(report.enough());
@@ -119,16 +120,16 @@ TEST(CheckTangent, HoldsWhereTwoMaterialsMeetAndWhereGhostsAreTied) {
 // is opposite to a vertex of the lower face.
 TEST(CheckTangent, ListsPartnersAtAVertexOfTheFace) {
   const Subject drag("drag", {"mesh.cells=[20,5]"});
-  const auto& surfaces = drag.model.surfaces;
+  const auto& surfaces = drag.model().surfaces;
   const auto& point = surfaces.points[surfaces.points.size() / 2];
   const auto& own = surfaces.faces[point.face];
   const double x = (1.0 - point.eta) * own.reference_start.x() + point.eta * own.reference_end.x();
   const double vertex = surfaces.faces[own.next].reference_end.x();
   const auto moved = [&](double along) {
-    VecX u = VecX::Zero(drag.model.unknowns.components());
-    for (Index k = 0; k < drag.model.unknowns.count; ++k) {
-      const auto side = drag.model.unknowns.side_of[k];
-      const bool above = drag.model.mesh.nodes[drag.model.unknowns.node_of[k]].y() > 0.52;
+    VecX u = VecX::Zero(drag.model().unknowns.components());
+    for (Index k = 0; k < drag.model().unknowns.count; ++k) {
+      const auto side = drag.model().unknowns.side_of[k];
+      const bool above = drag.model().mesh.nodes[drag.model().unknowns.node_of[k]].y() > 0.52;
       if (side ? *side == geometry::Side::Left : above) u.segment<2>(2 * k) = Vec2(along, -1e-3);
     }
     return u;
@@ -143,9 +144,9 @@ TEST(CheckTangent, ListsPartnersAtAVertexOfTheFace) {
 TEST(CheckTangent, ReturnsTheFailureOfAStateWithoutForces) {
   const Subject plain("plain", {"mesh.cells=[2,4]"});
   TangentReport report;
-  VecX u = VecX::Zero(plain.model.unknowns.components());
+  VecX u = VecX::Zero(plain.model().unknowns.components());
   u[1] = 1.0;  // inverts an element
-  const auto failure = check_tangent(plain.model, plain.stepper.state().history, u, 0.0, kTolerance, report);
+  const auto failure = check_tangent(plain.model(), plain.state().history, u, 0.0, kTolerance, report);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->kind, assembly::FailureKind::Inverted);
   EXPECT_EQ(report.states, 0);
@@ -171,7 +172,7 @@ TEST(TangentReport, MostEntriesMustBeJudged) {
 
 TEST(Meaning, NamesComponentsAndPieces) {
   const Subject block("block", {"mesh.cells=[8,16]"});
-  const auto& model = block.model;
+  const auto& model = block.model();
   EXPECT_EQ(describe_component(model, 1), "y of node 0 at (0, 0)");
   const Index node = model.unknowns.node_of[model.unknowns.nodes];
   const bool left = *model.unknowns.side_of[node] == geometry::Side::Left;

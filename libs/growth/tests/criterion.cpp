@@ -1,0 +1,154 @@
+#include "cleft/growth/criterion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bodies.hpp"
+#include "cleft/assembly/stress.hpp"
+#include "cleft/geometry/advance.hpp"
+
+namespace cleft::growth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// The whole body under one deformation gradient, crack closed.
+struct Homogeneous {
+  assembly::Model model = bodies::edge_crack()();
+  VecX displacement;
+  std::vector<constitutive::PlasticState> plastic;
+  std::vector<contact::Pair> pairs;
+
+  explicit Homogeneous(const Mat2& F) : displacement(model.unknowns.components()) {
+    for (Index k = 0; k < model.unknowns.count; ++k)
+      displacement.segment<2>(2 * k) = (F - Mat2::Identity()) * model.mesh.nodes[model.unknowns.node_of[k]];
+  }
+  assembly::Equilibrium equilibrium() const { return {model, 1.0, displacement, plastic, pairs}; }
+};
+
+TEST(Rankine, TakesTheLargerPrincipalStressOfAHomogeneousState) {
+  Mat2 F;
+  F << 1.02, 0.05, -0.01, 0.98;
+  const Homogeneous body(F);
+  const Mat2 s = assembly::stress_of(body.model.materials.front(), F).in_plane;
+  const double expected =
+      0.5 * (s(0, 0) + s(1, 1)) + std::sqrt(0.25 * std::pow(s(0, 0) - s(1, 1), 2) + s(0, 1) * s(0, 1));
+  const Demand demand = Rankine{2e8, 0.2}.judge(body.equilibrium(), {0, 1});
+  EXPECT_NEAR(demand.stress, expected, 1e-9 * expected);
+  EXPECT_NEAR(demand.measure, expected / 2e8, 1e-9);
+}
+
+// Under plain strain turned rigidly by an angle the crack takes the same material line: the principal direction turns
+// with the body, and pulling it back turns it again.
+TEST(Rankine, PullsTheDirectionBack) {
+  Mat2 stretch;
+  stretch << 1.1, 0.08, 0.08, 0.95;
+  const Vec2 still = Rankine{1e8, 0.2}.judge(Homogeneous(stretch).equilibrium(), {0, 1}).ahead;
+  for (const double angle : {0.3, -0.7, 1.2}) {
+    Mat2 turn;
+    turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+    const Vec2 turned = Rankine{1e8, 0.2}.judge(Homogeneous(turn * stretch).equilibrium(), {0, 1}).ahead;
+    EXPECT_LT((turned - still).norm(), 1e-12) << angle;
+  }
+}
+
+// The line that is normal to the principal axis n in the current state: material vectors A with n . F A = 0.
+TEST(Rankine, LeadsAlongTheMaterialLineThatTheLargestStressOpens) {
+  Mat2 F;
+  F << 1.3, 0.4, 0.05, 0.9;
+  const Homogeneous body(F);
+  const Mat2 s = assembly::stress_of(body.model.materials.front(), F).in_plane;
+  const double angle = 0.5 * std::atan2(2.0 * s(0, 1), s(0, 0) - s(1, 1));
+  const Vec2 n(std::cos(angle), std::sin(angle));
+  const Demand demand = Rankine{1e8, 0.2}.judge(body.equilibrium(), {0, 1});
+  EXPECT_NEAR(n.dot(F * demand.ahead), 0.0, 1e-12);
+  EXPECT_GT(demand.ahead.dot(Vec2(1, 0)), 0.0);
+}
+
+TEST(Rankine, WeighsByAreaWithinTheRadiusOnly) {
+  auto square = bodies::edge_crack();
+  Evolution body(square(), bodies::in_steps(1));
+  ASSERT_FALSE(bodies::run(body).failure);
+  const auto e = body.stepper().equilibrium();
+  for (const double radius : {0.12, 0.3}) {
+    double area = 0.0;
+    Mat2 sum = Mat2::Zero();
+    for (std::size_t p = 0; p < e.model.cells.size(); ++p) {
+      const auto& cell = e.model.cells[p];
+      Vec2 centre = Vec2::Zero();
+      double whole = 0.0;
+      const auto add = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
+        const double part = 0.5 * cross(b - a, c - a);
+        centre += part / 3.0 * (a + b + c);
+        whole += part;
+      };
+      const auto& t = e.model.mesh.triangles[cell.element];
+      const auto& X = e.model.mesh.nodes;
+      if (cell.cut == kNone)
+        add(X[t[0]], X[t[1]], X[t[2]]);
+      else
+        for (const auto& [a, b, c] : e.model.cut.elements[cell.cut].sub_triangles[static_cast<std::size_t>(cell.side)])
+          add(a, b, c);
+      if ((centre / whole - Vec2(0.33, 0.512)).norm() > radius) continue;
+      area += whole;
+      sum += whole * assembly::stress_of(e.model.materials.front(), cell.deformation(e.displacement)).in_plane;
+    }
+    ASSERT_GT(area, 0.0);
+    const Mat2 s = sum / area;
+    const double expected = 0.5 * s.trace() + std::hypot(0.5 * (s(0, 0) - s(1, 1)), s(0, 1));
+    EXPECT_NEAR(Rankine({1e8, radius}).judge(e, {0, 1}).stress, expected, 1e-9 * expected);
+  }
+}
+
+TEST(Rankine, HasNothingToSayWhereNoElementIsNear) {
+  const Homogeneous body(Mat2::Identity());
+  EXPECT_TRUE(std::isnan(Rankine({1e8, 1e-4}).judge(body.equilibrium(), {0, 1}).measure));
+  EXPECT_EQ(points_around(body.model, {0, 1}, 1e-4), 0);
+  EXPECT_GT(points_around(body.model, {0, 1}, 0.1), 5);
+}
+
+TEST(HoopStress, IsLargestWhereTheClosedFormsSay) {
+  EXPECT_EQ(largest_hoop_stress({3.0, 0.0}).turn, 0.0);
+  EXPECT_EQ(largest_hoop_stress({3.0, 0.0}).intensity, 3.0);
+  // pure mode II: cos t = 1/3, and K_II (2/3) sqrt(4/3)
+  const auto shear = largest_hoop_stress({0.0, 2.0});
+  EXPECT_NEAR(shear.turn, -std::acos(1.0 / 3.0), 1e-15);
+  EXPECT_NEAR(shear.turn / kDegree, -70.5288, 1e-4);
+  EXPECT_NEAR(shear.intensity, 2.0 * std::sqrt(4.0 / 3.0), 1e-14);
+  EXPECT_NEAR(largest_hoop_stress({0.0, -2.0}).turn, std::acos(1.0 / 3.0), 1e-15);
+  EXPECT_EQ(largest_hoop_stress({-1.0, 2.0}).turn, shear.turn);  // closed faces
+}
+
+TEST(HoopStress, IsTheLargestOfAllAngles) {
+  for (const double k1 : {0.0, 0.3, 1.0})
+    for (const double k2 : {-2.0, -0.4, 0.1, 1.0}) {
+      const auto hoop = [&](double t) {
+        return std::pow(std::cos(t / 2), 2) * (k1 * std::cos(t / 2) - 3.0 * k2 * std::sin(t / 2));
+      };
+      double most = -1e9;
+      for (int k = -1800; k <= 1800; ++k) most = std::max(most, hoop(k * 0.1 * kDegree));
+      const auto found = largest_hoop_stress({k1, k2});
+      EXPECT_GE(found.intensity, most - 1e-12);
+      EXPECT_NEAR(found.intensity, most, 1e-5);
+      EXPECT_NEAR(found.intensity, hoop(found.turn), 1e-12);
+    }
+}
+
+TEST(HoopStress, OfAnOpenCrackLeadsStraightOn) {
+  auto square = bodies::edge_crack();
+  square.cracks[0].points = {{0.0, 0.5}, {0.33, 0.5}};  // on the line of symmetry, but for the diagonals
+  square.cracks[0].tip_radius = 0.2;
+  square.cells = {20, 20};
+  square.diagonal = geometry::Diagonal::Alternating;
+  Evolution body(square(), bodies::in_steps(1));
+  ASSERT_FALSE(bodies::run(body).failure);
+  const Demand demand = HoopStress{1e7}.judge(body.stepper().equilibrium(), {0, 1});
+  EXPECT_GT(demand.intensities.K_I, 1e7);
+  EXPECT_NEAR(demand.measure, demand.intensities.K_I / 1e7, 0.01 * demand.measure);
+  EXPECT_NEAR(std::atan2(demand.ahead.y(), demand.ahead.x()) / kDegree, 0.0, 3.0);
+}
+
+}  // namespace
+}  // namespace cleft::growth

@@ -1,0 +1,229 @@
+#include "cleft/growth/evolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bodies.hpp"
+#include "cleft/geometry/advance.hpp"
+
+namespace cleft::growth {
+namespace {
+
+using bodies::edge_crack;
+
+Law rankine(double strength, double advance, int most = 1000) {
+  Law law{Rankine{strength, 0.12}};
+  law.advance = advance;
+  law.most = most;
+  return law;
+}
+
+TEST(Evolution, WithoutALawIsTheLoadStepper) {
+  const auto square = edge_crack();
+  Evolution body(square(), bodies::in_steps(4));
+  const auto run = bodies::run(body);
+  const assembly::Model model = square();
+  assembly::LoadStepper stepper(model, bodies::in_steps(4));
+  while (!stepper.done()) ASSERT_EQ(stepper.advance().index(), 0u);
+  EXPECT_EQ(run.steps.size(), 4u);
+  EXPECT_EQ(body.stepper().state().displacement, stepper.state().displacement);
+  EXPECT_TRUE(body.record().points.empty());
+}
+
+TEST(Evolution, FindsTheLoadOfGrowthWhateverTheIncrements) {
+  const auto square = edge_crack();
+  std::vector<double> loads;
+  for (const int steps : {2, 5, 20, 40}) {
+    Evolution body = square.evolution(rankine(6e7, 0.1, 1), steps);
+    const auto run = bodies::run(body);
+    ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
+    const auto grown = run.loads_of_growth();
+    ASSERT_EQ(grown.size(), 1u);
+    loads.push_back(grown[0]);
+  }
+  for (const double load : loads) EXPECT_NEAR(load, loads.back(), 1e-4);
+  EXPECT_GT(loads.back(), 0.05);
+  EXPECT_LT(loads.back(), 0.95);
+}
+
+TEST(Evolution, GrowsAtOneAndHardlyBeyondIt) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+    Law law = rankine(6e7, 0.1, 1);
+    law.load_tolerance = tolerance;
+    Evolution body = edge_crack().evolution(law, 3);
+    double below = 0.0;
+    for (const auto& step : bodies::run(body).steps) {
+      if (step.advances.empty()) {
+        below = step.load;
+        continue;
+      }
+      const double measure = step.advances[0].demand.measure;
+      EXPECT_GE(measure, 1.0);
+      EXPECT_LE(measure, 1.0 + 2.0 * tolerance / below);  // the demand grows in proportion to the load
+    }
+  }
+}
+
+TEST(Evolution, AdvancesSeveralTimesAtOneLoadUntilTheBodyIsRelieved) {
+  auto square = edge_crack();
+  square.cracks[0].points[1].x() = 0.12;  // while it is short, every advance makes it weaker
+  square.cells = {20, 20};
+  Evolution body = square.evolution(rankine(6e7, 0.08, 4), 10);
+  const auto run = bodies::run(body);
+  ASSERT_FALSE(run.failure);
+  const auto advances = run.advances();
+  ASSERT_EQ(advances.size(), 4u);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(advances[static_cast<std::size_t>(k)].number, k + 1);
+    EXPECT_NEAR(advances[static_cast<std::size_t>(k)].length, 0.08, 1e-12);
+    EXPECT_NEAR(advances[static_cast<std::size_t>(k)].angle, 0.0, 0.2);  // an opening crack goes straight on
+  }
+  EXPECT_EQ(advances.back().stop, Stop::Most);
+  const auto loads = run.loads_of_growth();
+  EXPECT_EQ(loads[0], loads[1]);
+  EXPECT_LE(loads[1], loads[3]);
+  EXPECT_EQ(body.record().tips[0][1].advances, 4);
+  EXPECT_EQ(body.record().tips[0][0].advances, 0);  // at the boundary
+}
+
+TEST(Evolution, CutsThroughAtTheBoundaryWhereAnAdvanceIsLongerThanTheLigament) {
+  for (const double advance : {0.3, 2.0}) {
+    auto square = edge_crack();
+    square.cracks[0].points[1].x() = 0.8;
+    Evolution body = square.evolution(rankine(2e7, advance), 4);
+    const auto run = bodies::run(body);
+    ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
+    const auto advances = run.advances();
+    ASSERT_EQ(advances.size(), 1u);
+    EXPECT_EQ(advances[0].stop, Stop::Boundary);
+    EXPECT_NEAR(advances[0].point.x(), 1.0, 1e-12);
+    EXPECT_EQ(body.model().cut.cracks[0].ends[1].kind, geometry::CrackEnd::Kind::Mouth);
+    const auto reactions = body.stepper().reactions();
+    EXPECT_LT(reactions[1].norm(), 1.0);  // N/m: nothing holds the halves together
+    const auto& energies = body.stepper().state().energies;
+    EXPECT_LT(energies.elastic, 1e-9 * energies.external_work);
+    EXPECT_NEAR(energies.released, energies.external_work, 2e-3 * energies.external_work);  // of few increments
+  }
+}
+
+TEST(Evolution, StopsBeforeAnotherCrack) {
+  auto square = edge_crack();
+  square.cells = {20, 20};
+  square.cracks.push_back({"wall", {{0.62, 0.3}, {0.62, 0.72}}});
+  Evolution body = square.evolution(rankine(3e7, 0.1), 10);
+  const auto run = bodies::run(body);
+  ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
+  const auto advances = run.advances();
+  ASSERT_GE(advances.size(), 2u);
+  EXPECT_EQ(advances.back().stop, Stop::Crack);
+  EXPECT_NE(advances.back().hindrance.find("wall"), std::string::npos) << advances.back().hindrance;
+  EXPECT_LT(advances.back().point.x(), 0.62);
+  EXPECT_GT(advances.back().point.x(), 0.45);  // it came as near as an eighth of the ligament and an element allow
+  EXPECT_EQ(body.model().cracks[1].points.size(), 2u);
+}
+
+TEST(Evolution, GrowsFromTipsOnElementEdgesAndNodes) {
+  for (const Vec2& tip : {Vec2(0.3, 0.5), Vec2(0.35, 0.55), Vec2(0.3, 0.53), Vec2(0.3, 0.5 + 1e-9)}) {
+    auto square = edge_crack();
+    square.cracks[0].points = {{0.0, tip.y()}, tip};
+    Evolution body = square.evolution(rankine(5e7, 0.1, 3), 5);  // advances that end on nodes and edges, too
+    const auto run = bodies::run(body);
+    ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
+    EXPECT_EQ(run.advances().size(), 3u);
+    EXPECT_NEAR(run.advances()[0].angle, 0.0, 0.2);
+  }
+}
+
+TEST(Evolution, SetsFreeWhatTheWorkLeavesUnexplained) {
+  Evolution body = edge_crack().evolution(rankine(6e7, 0.1, 2), 50);
+  const auto run = bodies::run(body);
+  double released = 0.0;
+  for (const auto& step : run.steps) {
+    EXPECT_TRUE(step.advances.empty() || step.released > 0.0);
+    released += step.released;
+  }
+  const auto& energies = body.stepper().state().energies;
+  EXPECT_GT(released, 0.0);
+  EXPECT_NEAR(energies.released, released, 1e-12 * released);
+  EXPECT_NEAR(energies.imbalance(), 0.0, 1e-3 * energies.external_work);  // the trapezoidal rule over the increments
+}
+
+// At its load the crack advances by da; what that sets free is the rate times da as da goes to zero, and the rate is the
+// derivative of the stored energy at a fixed top. The increments around it see both.
+TEST(Evolution, SetsFreeTheDifferenceOfTwoStationaryCracks) {
+  auto square = edge_crack();
+  square.cells = {20, 20};
+  Evolution body = square.evolution(rankine(6e7, 0.1, 1), 10);
+  const auto run = bodies::run(body);
+  ASSERT_EQ(run.advances().size(), 1u);
+  const Advance advance = run.advances()[0];
+  const double load = run.loads_of_growth()[0];
+  const auto energy_of = [&](const std::vector<geometry::Crack>& cracks) {
+    const assembly::Model model = square(cracks);
+    auto controls = bodies::in_steps(1);
+    controls.outputs = {load};
+    assembly::LoadStepper stepper(model, controls);
+    EXPECT_EQ(stepper.advance().index(), 0u);
+    EXPECT_EQ(stepper.state().load, load);
+    return stepper.state().energies.elastic + stepper.state().energies.contact;
+  };
+  const double before = energy_of(square.cracks),
+               after = energy_of({geometry::extended(square.cracks[0], 1, advance.point)});
+  const double released = body.stepper().state().energies.released;
+  EXPECT_NEAR(released, before - after, 1e-6 * released);
+}
+
+TEST(Evolution, ARestoredRunGoesOnBitForBit) {
+  Law law = rankine(6e7, 0.08, 3);
+  const auto square = edge_crack();
+  Evolution whole = square.evolution(law, 6);
+  std::vector<Step> steps;
+  struct Kept {
+    Record record;
+    assembly::State state;
+    assembly::StepPlace place;
+    assembly::ContactRoom room;
+  };
+  std::vector<Kept> kept;
+  while (!whole.done()) {
+    const auto& s = whole.stepper();
+    kept.push_back({whole.record(), s.state(), s.place(), s.assembler().room()});
+    ASSERT_EQ(whole.advance().index(), 0u);
+  }
+  ASSERT_GT(kept.size(), 8u);
+  for (const auto& at : kept) {
+    Evolution resumed = square.evolution(law, 6);
+    resumed.restore(at.record, at.state, at.place, at.room);
+    ASSERT_FALSE(bodies::run(resumed).failure);
+    EXPECT_EQ(resumed.stepper().state().displacement, whole.stepper().state().displacement) << "from " << at.state.load;
+    EXPECT_EQ(resumed.stepper().place().number, whole.stepper().place().number);
+    EXPECT_EQ(resumed.record().points, whole.record().points);
+  }
+}
+
+TEST(Evolution, OnlyTheTipsThatMayGrowDo) {
+  auto square = edge_crack();
+  square.cracks[0].points = {{0.3, 0.512}, {0.7, 0.512}};
+  Law law = rankine(5e7, 0.08, 2);
+  law.tips = {true, false};
+  Evolution body = square.evolution(law, 5);
+  const auto run = bodies::run(body);
+  ASSERT_EQ(run.advances().size(), 2u);
+  EXPECT_EQ(run.advances()[0].tip.end, 0);
+  EXPECT_NEAR(std::fabs(run.advances()[0].angle), 3.14, 0.2);  // to the left
+  EXPECT_NEAR(body.model().cracks[0].s_first, -0.16, 1e-12);
+  EXPECT_EQ(body.model().cracks[0].points.back(), Vec2(0.7, 0.512));
+}
+
+TEST(Evolution, FailsInWordsWhereNothingLiesAroundATip) {
+  Law law{Rankine{6e7, 1e-4}};
+  law.advance = 0.1;
+  Evolution body = edge_crack().evolution(law, 2);
+  const auto run = bodies::run(body);
+  ASSERT_TRUE(run.failure);
+  EXPECT_NE(run.failure->place.find("around a tip"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cleft::growth

@@ -1,0 +1,138 @@
+#include "cleft/growth/transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bodies.hpp"
+#include "cleft/geometry/advance.hpp"
+
+namespace cleft::growth {
+namespace {
+
+// A crack through the middle that has slid under pressure, and what it becomes with a kink at either end.
+struct Slid {
+  bodies::Square square;
+  assembly::Model before, after;
+  assembly::State state, handed_on;
+
+  explicit Slid(assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)}, double ball = 0.0,
+                std::array<bool, 2> grown = {true, true}) {
+    square.material = std::move(material);
+    square.top = {-0.004, -0.01};
+    square.cracks = {{"main", {{0.31, 0.42}, {0.68, 0.61}}, ball}};
+    square.cells = {16, 16};
+    before = square();
+    assembly::LoadStepper stepper(before, bodies::in_steps(4));
+    while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
+    state = stepper.state();
+    auto longer = square.cracks;
+    if (grown[0]) longer[0] = geometry::extended(longer[0], 0, {0.28, 0.27});
+    if (grown[1]) longer[0] = geometry::extended(longer[0], 1, {0.7, 0.78});
+    after = square(longer);
+    handed_on = transfer(before, state, after);
+  }
+};
+
+TEST(Transfer, KeepsTheDisplacementOfEveryOldSide) {
+  const Slid s;
+  for (const auto& cell : s.before.cells) {
+    if (s.after.cut.cut_of_element[cell.element] != kNone && cell.cut == kNone) continue;
+    for (const auto& now : s.after.cells) {
+      if (now.element != cell.element || now.side_if_cut() != cell.side_if_cut()) continue;
+      EXPECT_LT((now.deformation(s.handed_on.displacement) - cell.deformation(s.state.displacement)).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(Transfer, ClosesNewFaces) {
+  const Slid s;
+  const auto& faces = s.after.surfaces.faces;
+  int fresh = 0;
+  for (std::size_t k = 0; k < s.after.cut.segments.size(); ++k) {
+    const auto &right = faces[enrichment::face_of(static_cast<Index>(k), geometry::Side::Right)],
+               &left = faces[enrichment::face_of(static_cast<Index>(k), geometry::Side::Left)];
+    const double kink = (Vec2(0.68, 0.61) - Vec2(0.31, 0.42)).norm();
+    const double middle = 0.5 * (right.s_start + right.s_end);
+    const Vec2 jump =
+        left.start.displacement(s.handed_on.displacement) - right.start.displacement(s.handed_on.displacement);
+    if (middle > kink + 0.07 || middle < -0.07) {  // beyond the element of the old tip
+      EXPECT_LT(jump.norm(), 1e-15);
+      ++fresh;
+    }
+  }
+  EXPECT_GT(fresh, 3);
+}
+
+TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
+  const Slid s;
+  ASSERT_EQ(s.handed_on.history.contact.size(), s.after.surfaces.points.size());
+  const auto s_of = [](const assembly::Model& m, Index face, double place) {
+    const auto& f = m.surfaces.faces[face];
+    return f.s_start + place * (f.s_end - f.s_start);
+  };
+  int old = 0, fresh = 0;
+  for (std::size_t p = 0; p < s.after.surfaces.points.size(); ++p) {
+    const auto& point = s.after.surfaces.points[p];
+    const auto& memory = s.handed_on.history.contact[p];
+    const double here = s_of(s.after, point.face, point.eta);
+    for (std::size_t q = 0; q < s.before.surfaces.points.size(); ++q) {
+      const auto& was = s.before.surfaces.points[q];
+      if (std::fabs(s_of(s.before, was.face, was.eta) - here) > 1e-12) continue;
+      const auto& expected = s.state.history.contact[q];
+      EXPECT_EQ(memory.slip, expected.slip);
+      EXPECT_EQ(memory.normal, expected.normal);
+      EXPECT_EQ(memory.tangential, expected.tangential);
+      EXPECT_EQ(memory.ramp, expected.ramp);
+      if (expected.anchor_face == kNone) continue;
+      EXPECT_NEAR(s_of(s.after, memory.anchor_face, memory.anchor_place),
+                  s_of(s.before, expected.anchor_face, expected.anchor_place), 1e-13);
+      EXPECT_EQ(s.after.surfaces.faces[memory.anchor_face].side, s.before.surfaces.faces[expected.anchor_face].side);
+      ++old;
+    }
+    if (here < 0.0 || here > 0.416) {
+      EXPECT_EQ(memory.anchor_face, enrichment::opposite_face(point.face));
+      EXPECT_EQ(memory.slip, 0.0);
+      ++fresh;
+    }
+  }
+  EXPECT_GT(old, 10);
+  EXPECT_GT(fresh, 6);
+}
+
+TEST(Transfer, KeepsTheReactionsOfWhatIsPrescribed) {
+  const Slid s;
+  const auto sum = [](const VecX& f) { return f.cwiseAbs().sum(); };
+  EXPECT_EQ(sum(s.handed_on.prescribed_force), sum(s.state.prescribed_force));
+  EXPECT_EQ(s.handed_on.previous_load, s.handed_on.load);
+  EXPECT_EQ(s.handed_on.energies.external_work, s.state.energies.external_work);
+}
+
+TEST(Transfer, BothSidesOfANewCutHaveThePlasticPastOfTheTriangle) {
+  const Slid s(constitutive::FinitePlastic{{constitutive::lame(1e10, 0.25), 5e7, 0.0, 0.0, 1e9}});
+  ASSERT_EQ(s.handed_on.history.plastic.size(), s.after.material_points());
+  int flown = 0;
+  for (Index p = 0; p < static_cast<Index>(s.after.cells.size()); ++p)
+    for (Index q = 0; q < static_cast<Index>(s.before.cells.size()); ++q) {
+      const auto &now = s.after.cells[p], &was = s.before.cells[q];
+      if (now.element != was.element || (was.cut != kNone && now.side_if_cut() != was.side_if_cut())) continue;
+      EXPECT_EQ(s.handed_on.history.plastic[p].accumulated, s.state.history.plastic[q].accumulated);
+      EXPECT_EQ(s.handed_on.history.plastic[p].deformation, s.state.history.plastic[q].deformation);
+      flown += was.cut == kNone && now.cut != kNone && s.state.history.plastic[q].accumulated > 0.0;
+    }
+  EXPECT_GT(flown, 1);
+}
+
+TEST(Transfer, KeepsTheBranchFunctionsOfATipThatStays) {
+  const Slid s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.13, {true, false});
+  ASSERT_EQ(s.before.cut.tips.size(), 2u);
+  ASSERT_EQ(s.after.cut.tips.size(), 2u);
+  for (int a = 0; a < enrichment::kBranches; ++a) {
+    const auto amplitude = [&](const assembly::Model& m, const VecX& u, Index tip) {
+      return Vec2(u.segment<2>(2 * m.unknowns.amplitude(tip, a)));
+    };
+    EXPECT_EQ(amplitude(s.after, s.handed_on.displacement, 0), Vec2::Zero());
+    EXPECT_EQ(amplitude(s.after, s.handed_on.displacement, 1), amplitude(s.before, s.state.displacement, 1));
+  }
+}
+
+}  // namespace
+}  // namespace cleft::growth
