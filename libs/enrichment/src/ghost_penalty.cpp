@@ -74,9 +74,23 @@ class Ties {
     return cut == kNone ? mesh_.triangles[t][corner] : side_unknown(unknowns_, mesh_, cut_.elements[cut], corner, side);
   }
 
+  // Whether all corners of a triangle have a displacement of this side. Where a crack runs through a node, a triangle
+  // beside it may have nothing of one side, and then its nodes beyond the crack need not: a tie to their own
+  // displacement would join the two sides. At a tip these are one.
+  bool moves(Index t, Side side) const {
+    const Index cut = cut_.cut_of_element[t];
+    if (cut == kNone) return true;
+    for (int k = 0; k < 3; ++k) {
+      const Index node = mesh_.triangles[t][k];
+      if (cut_.elements[cut].node_side[k] == side || unknowns_.ghost[node] != kNone) continue;
+      if (!std::binary_search(cut_.tip_nodes.begin(), cut_.tip_nodes.end(), node)) return false;
+    }
+    return true;
+  }
+
   void add(const Edge& edge, Index a, Index b, Side side, double strength) {
     const Index cell = cell_of(a, side) == kNone ? cell_of(b, side) : cell_of(a, side);
-    if (a == b || in_ball(a) || in_ball(b) || cell == kNone) return;
+    if (a == b || in_ball(a) || in_ball(b) || cell == kNone || !moves(a, side) || !moves(b, side)) return;
     auto& tie = ties_[{edge, side}];
     const double length = (mesh_.nodes[edge[1]] - mesh_.nodes[edge[0]]).norm();
     const double weight = strength * length * length;
