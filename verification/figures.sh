@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the figures of Liu and Borja 2010, sections 6.1, 6.3 and 6.4, from our own runs: verification/figures.sh [FOLDER]
+# Draws the figures of Liu and Borja 2010, section 6, from our own runs: verification/figures.sh [FOLDER]
 # FOLDER (default results/figures) then holds the runs, a CSV file and an SVG a figure. Runs that are there are used again.
 source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
 build cleft
@@ -85,12 +85,30 @@ solved() {
   build/release/bin/cleft run "verification/scenes/$1.toml" -o "$out/$1" 2> "$out/$1.log"
 }
 
+# Figure 12: length of the displacement (m) on the deformed mesh once both tips have made 1, 2, 3 and 4 advances
+solved wing_crack
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next }
+  $c["step"] != step { step = $c["step"]; ++fields }
+  { n[$c["tip"]] = $c["advance"]; both = n["start"] < n["end"] ? n["start"] : n["end"]
+    if (both > done) { done = both; print done, fields - 1 } }' "$out/wing_crack/growth.csv" |
+  while read -r advances fields; do
+    /usr/bin/python3 verification/figures/triangles.py \
+      "$(printf '%s/wing_crack/fields_%04d.vtu' "$out" "$fields")" -1 -1 2 2 displacement > "$out/figure12_after_$advances.txt"
+  done
+
+# Figure 13: vertical reaction (MN/m) against displacement (m), and whether the state is one after an advance
+awk -F, 'NR == FNR { if (FNR > 1) grown[$1] = 1; next }
+  FNR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; print "displacement,fy,after_an_advance\n0,0,0"; next }
+  { print 0.03 * $c["load"] "," (-$c["fy_top"] / 1e6) "," 0 + grown[$1] }' \
+  "$out/wing_crack/growth.csv" "$out/wing_crack/history.csv" > "$out/figure13_reaction.csv"
+
 # Figures 14 to 16 and 18: where a body yields and where flow may localise, on the deformed mesh
 # yields FIGURE SCENE WINDOW: the last fields of a scene
 yields() {
   solved "$2"
   local fields=("$out/$2"/fields_[0-9]*.vtu)
-  /usr/bin/python3 verification/figures/triangles.py "${fields[-1]}" "${@:3}" > "$out/figure$1_yield.txt"
+  /usr/bin/python3 verification/figures/triangles.py "${fields[-1]}" "${@:3}" plastic_strain localisation \
+    > "$out/figure$1_yield.txt"
 }
 yields 14 block_small_scale_yield 0.03 0.048 0.036 0.054
 yields 15 block_yield_small 0.01 0.03 0.042 0.062
@@ -120,4 +138,8 @@ for figure in verification/figures/*.gp; do
 done
 say "contact of the faces (figures 6 and 9):"
 column -s, -t "$out/figure09_contact.csv"
+say "advances of the wing crack's tips (figures 12 and 13):"
+cut -d, -f2,4-7,9-11,15 "$out/wing_crack/growth.csv" | column -s, -t
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; next } { slip = $c["max_slip"] }
+  END { printf "largest slip at full load %.4f m, %.2f of an element\n", slip, slip * 25 }' "$out/wing_crack/history.csv"
 say "figures are in $PWD/$out: $(cd "$out" && echo figure*.svg)"

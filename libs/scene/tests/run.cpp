@@ -44,6 +44,52 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
+// Wings grow from a short crack, several times and at one load; each part of the run makes one step.
+TEST(Run, ResumesBetweenAdvancesOfACrackBitForBit) {
+  const Folder folder;
+  const Scene scene = scene_of(R"(
+[mesh]
+box = [0.0, 0.0, 1.0, 1.0]
+cells = [12, 12]
+diagonal = "left"
+[material]
+model = "hencky"
+young = 1.0e10
+poisson = 0.3
+[[crack]]
+name = "main"
+points = [[0.35, 0.34], [0.65, 0.64]]
+friction = 0.1
+growth = { criterion = "rankine", strength = 3.0e6, radius = 0.1, advance = 0.09, most = 2 }
+[[boundary]]
+on = "bottom"
+ux = 0.0
+uy = 0.0
+[[boundary]]
+on = "top"
+ux = 0.0
+uy = -0.03
+[loading]
+steps = 8
+outputs = [1.0]
+)");
+  ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
+  std::atomic<bool> stop = false;
+  RunOptions options = into(folder / "parts");
+  options.stop = &stop;
+  options.observer = [&](const Progress& p) { stop = p.iteration == 0; };
+  RunResult result;
+  do {
+    stop = false;
+    result = run(scene, options);
+    options.resume = true;
+  } while (result.end == RunResult::End::Stopped);
+  ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  EXPECT_EQ(read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
+  for (const char* file : {"history.csv", "growth.csv", "crack_main.csv", "fields.pvd", "fields_0002.vtu"})
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
+}
+
 // A bar under a dead traction beyond what it bears: the load rises, turns and falls.
 TEST(Run, ResumesAlongAPathBitForBit) {
   const Folder folder;

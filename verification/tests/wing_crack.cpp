@@ -1,0 +1,161 @@
+// Wings that grow from a closed frictional crack: Liu and Borja 2010, section 6.2, and the first kink by the largest
+// hoop stress.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "cleft/verify/between.hpp"
+#include "cleft/verify/newton_rate.hpp"
+#include "cleft/verify/tangent.hpp"
+#include "comparison.hpp"
+#include "solved.hpp"
+
+namespace cleft::verification {
+namespace {
+
+constexpr double kCell = 0.04;                        // m
+constexpr double kLength = 0.57134;                   // m, of the old crack
+const Vec2 kMiddle{0.5, 0.499};                       // of the old crack, m
+constexpr double kToCompression = 90.0;               // degrees: the compression's axis
+constexpr const char* kNoExtrapolation = "solver.extrapolate=false";
+
+std::vector<Row> advances_of(const Solved& run) {
+  const auto table = scene::read_csv(*run.directory + "/growth.csv");
+  std::vector<Row> rows;
+  for (const auto& cells : table.rows) {
+    Row& row = rows.emplace_back();
+    for (std::size_t k = 0; k < cells.size(); ++k) row[table.header[k]] = cells[k];
+  }
+  return rows;
+}
+
+// Advances of one tip, in their order.
+std::vector<Row> of_tip(const std::vector<Row>& rows, const std::string& tip) {
+  std::vector<Row> out;
+  for (const auto& row : rows)
+    if (row.at("tip") == tip) out.push_back(row);
+  return out;
+}
+
+// Between an advance and the compression's axis, degrees.
+double off_axis(const Row& row) { return std::fabs(std::fabs(number(row, "angle")) - kToCompression); }
+
+// Slope of the vertical reaction against the displacement of the top over [from, to] of the load, MN/m^2.
+double stiffness(const Solved& run, double from, double to) {
+  return -(run.at("fy_top", to) - run.at("fy_top", from)) / (0.03 * (to - from)) * 1e-6;
+}
+
+TEST(WingCrack, EachTipAdvancesFourTimesAndTheWingsOpen) {
+  Case table("wing crack, 25 x 25 cells");
+  const Solved run = solve("wing_crack");
+  const auto rows = advances_of(run);
+  for (const char* tip : {"start", "end"}) {
+    const auto own = of_tip(rows, tip);
+    ASSERT_EQ(own.size(), 4U) << tip;
+    EXPECT_EQ(own.back().at("stop"), "most");
+    table.compare(fmt::format("first turn of the {}, degrees", tip), number(own[0], "turn"), exact(45.0),
+                  within(3.0, "the mean over a ball has shear of mode II only; tips end at edges"));
+    for (const auto& row : own)
+      table.compare(fmt::format("{} {} off the axis of compression, degrees", tip, row.at("advance")), off_axis(row),
+                    exact(0.0), within(5.0, "wings lead along the load; elements of 0.6 of an advance"));
+  }
+  // antisymmetric about the middle
+  double apart = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto place = [&](const char* tip) {
+      const auto row = of_tip(rows, tip)[k];
+      return Vec2(number(row, "X"), number(row, "Y"));
+    };
+    apart = std::max(apart, (place("start") + place("end") - 2.0 * kMiddle).norm());
+  }
+  table.compare("distance of a tip from the other's mirror image, m", apart, exact(0.0),
+                within(0.25 * kCell, "the crack's middle is 0.001 off that of the mesh"));
+
+  int pressed_on_wings = 0, pressed = 0, slipped = 0;
+  for (const auto& point : run.profile("main", 1.0)) {
+    const double s = number(point, "s");
+    const bool closed = point.at("status") != "open";
+    pressed_on_wings += closed && (s < -kCell || s > kLength + kCell);
+    pressed += closed && s > kCell && s < kLength - kCell;
+    slipped += number(point, "slip") > 0.0 && s > kCell && s < kLength - kCell;
+  }
+  EXPECT_EQ(pressed_on_wings, 0);
+  EXPECT_GT(pressed, 20);
+  EXPECT_EQ(slipped, pressed);
+
+  const double before = stiffness(run, 0.02, 0.16), after = stiffness(run, 0.74, 0.98);
+  EXPECT_GT(before, 0.0);
+  EXPECT_LT(after, before) << "the paper: slightly degraded by growth";
+  EXPECT_GT(after, 0.95 * before);
+  EXPECT_LT(stiffness(run, 0.16, 0.22), 0.9 * before) << "in the increments of growth the reaction drops";
+  EXPECT_EQ(number(rows[0], "load"), number(rows[3], "load")) << "several advances at one load";
+  const auto& e = run.result.energies;
+  EXPECT_GT(e.released, 0.0);
+  table.compare("energy unexplained over external work", e.imbalance() / e.external_work, exact(0.0),
+                within(1e-4, "trapezoidal rule"));
+}
+
+TEST(WingCrack, GrowsAtTheSameLoadsWithHalfTheIncrements) {
+  Case table("wing crack, increments");
+  const auto once = advances_of(solve("wing_crack")), twice = advances_of(solve("wing_crack", {"loading.steps=100"}));
+  ASSERT_EQ(once.size(), twice.size());
+  for (std::size_t k = 0; k < once.size(); ++k) {
+    EXPECT_EQ(once[k].at("tip"), twice[k].at("tip"));
+    table.compare(fmt::format("load of advance {} of the {}", once[k].at("advance"), once[k].at("tip")),
+                  number(twice[k], "load"), exact(number(once[k], "load")), within(1e-4, "load_tolerance"));
+  }
+}
+
+TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
+  Case table("wing crack, iterations");
+  const Solved run = solve(verify::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
+  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  EXPECT_GE(verdict.judged, 15U);  // the others are through before three errors show an order
+  table.compare("share of the increments of order 1.8 or more",
+                static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
+                within(0.1, "three errors show an order only about"));
+  EXPECT_EQ(run.result.cuts, 0);
+
+  verify::TangentReport report;
+  const auto scene = scene_of("wing_crack");
+  auto body = scene::make_evolution(scene, scene::build_model(scene));
+  int after_growth = 0;
+  EXPECT_FALSE(verify::visit_between(body, 5, [&](const verify::StateBetween& between) {
+    after_growth += between.model.cracks[0].points.size() > 2;
+    EXPECT_FALSE(verify::check_tangent(between.model, between.before.history, between.displacement, between.load, 1e-6,
+                                       report));
+    return true;
+  }));
+  EXPECT_GE(after_growth, 8);
+  EXPECT_TRUE(report.enough());
+  table.compare("tangent's worst entry", report.worst(), exact(0.0), within(1e-8, "rounding of differences"));
+}
+
+// A closed crack that slides has mode II only, whose largest hoop stress is at acos(1/3) from it.
+TEST(WingCrack, FirstKinkOfTheHoopStressIsThatOfModeTwo) {
+  Case table("wing crack, hoop stress");
+  std::vector<double> loads;
+  for (const int cells : {30, 60}) {
+    const Solved run = solve("wing_crack", {fmt::format("mesh.cells=[{0},{0}]", cells), "loading.steps=10",
+                                            "formulation.tip_enrichment=0.1", "boundary.top.uy=-0.006",
+                                            "crack.main.growth={criterion='hoop-stress',toughness=2e7,advance=0.065}",
+                                            "crack.main.growth.most=1"});
+    const auto rows = advances_of(run);
+    ASSERT_EQ(rows.size(), 2U);
+    loads.push_back(number(rows[0], "load"));
+    for (const auto& row : rows) {
+      table.compare(fmt::format("turn of the {}, {} cells, degrees", row.at("tip"), cells), number(row, "turn"),
+                    exact(70.5288), within(3.0, "closed faces bear no opening, up to the springs"));
+      table.compare(fmt::format("K_I over K_II at the {}, {} cells", row.at("tip"), cells),
+                    number(row, "k1") / number(row, "k2"), exact(0.0), within(2.5 / cells, "the springs of E/h"));
+    }
+  }
+  table.compare("load of the first advance, 30 over 60 cells", loads[0] / loads[1], exact(1.0),
+                within(0.02, "error of the intensity"));
+}
+
+}  // namespace
+}  // namespace cleft::verification
