@@ -58,9 +58,9 @@ young = 1.0e10
 poisson = 0.3
 [[crack]]
 name = "main"
-points = [[0.35, 0.34], [0.65, 0.64]]
+points = [[0.3, 0.29], [0.7, 0.69]]
 friction = 0.1
-growth = { criterion = "rankine", strength = 3.0e6, radius = 0.1, advance = 0.09, most = 2 }
+growth = { criterion = "rankine", strength = 3.0e6, radius = 0.07, advance = 0.09, most = 2 }
 [[boundary]]
 on = "bottom"
 ux = 0.0
