@@ -26,7 +26,7 @@ TEST(Reach, EndsWhereTheBodyDoes) {
 
 TEST(Reach, EndsAtAHoleEvenIfTheBodyGoesOnBehindIt) {
   Outline outline = box_outline({0, 0, 3, 1});
-  outline.holes = {{{{1.2, 0.3}, {1.8, 0.3}, {1.8, 0.7}, {1.2, 0.7}}, {}}};
+  outline.holes = {{{{1.2, 0.3}, {1.8, 0.3}, {1.8, 0.7}, {1.2, 0.7}}, {"hole", "hole", "hole", "hole"}}};
   const Mesh mesh = delaunay_mesh(outline, {0.3, 0.25, {}});
   const auto way = reach(mesh, {0.4, 0.5}, {2.6, 0.5});
   EXPECT_TRUE(way.at_boundary);
