@@ -35,13 +35,13 @@ std::string switched_on(const scene::Scene& scene, const assembly::Model& model)
 }
 
 std::string describe(const growth::Law& law) {
-  const char* const tips = law.tips[0] && law.tips[1] ? "both tips" : law.tips[0] ? "first tip" : "last tip";
+  const char* const tips = law.tips[0] && law.tips[1] ? "both tips" : law.tips[0] ? "the start" : "the end";
   const std::string when =
       std::holds_alternative<growth::Rankine>(law.criterion)
           ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<growth::Rankine>(law.criterion).strength,
                         std::get<growth::Rankine>(law.criterion).radius)
           : fmt::format("at {:.4g} Pa m^0.5", std::get<growth::HoopStress>(law.criterion).toughness);
-  return fmt::format("{} advance by {:.4g} m {}, {} times at most", tips, law.advance, when, law.most);
+  return fmt::format("growth: {} by {:.4g} m {}, {} times at most", tips, law.advance, when, law.most);
 }
 
 std::string name_of(const scene::MaterialSpec::Region& region) {

@@ -40,14 +40,15 @@ void print_summary(const scene::RunResult& r, const std::string& directory) {
   fmt::print("increments {}, iterations {} ({:.2f} an increment), cuts {}, worst residual {:.1e}", r.increments,
              r.iterations, per_increment, r.cuts, r.worst_residual);
   if (r.newton_order > 0) fmt::print(", order {:.2f}", r.newton_order);
+  if (r.advances > 0) fmt::print(", advances of tips {}", r.advances);
   const auto& e = r.energies;
   fmt::print(
       "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + plastic {:.6g} + viscous {:.6g} + friction {:.6g} + "
       "contact {:.6g}{} + imbalance {:.2g} "
       "({:.4f} %)\n",
       e.external_work, e.elastic, e.plastic_dissipation, e.viscous_dissipation, e.friction_dissipation, e.contact,
-      e.released != 0.0 ? fmt::format(" + released by growth {:.6g}", e.released) : "",
-      e.imbalance(), e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
+      e.released != 0.0 ? fmt::format(" + released by growth {:.6g}", e.released) : "", e.imbalance(),
+      e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
              r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);
   if (r.contact_microseconds > 0) fmt::print(", {:.2f} us a contact point", r.contact_microseconds);

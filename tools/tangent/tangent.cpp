@@ -37,10 +37,10 @@ struct Places {
     for (const auto& [name, block] : report.blocks) {
       const auto& w = block.worst;
       if (w.error() == 0.0 || w.load != load) continue;
-      worst[name] = fmt::format(
-          "{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
-          verify::describe_piece(model, w.cell, w.point), w.exact, w.difference,
-          verify::describe_component(model, w.row), verify::describe_component(model, w.column));
+      worst[name] =
+          fmt::format("{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
+                      verify::describe_piece(model, w.cell, w.point), w.exact, w.difference,
+                      verify::describe_component(model, w.row), verify::describe_component(model, w.column));
     }
     for (std::size_t k = kinks.size(); k < report.kinks.size(); ++k)
       kinks.push_back(verify::describe_piece(model, report.kinks[k].cell, report.kinks[k].point));

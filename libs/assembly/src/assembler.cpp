@@ -29,6 +29,14 @@ bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair) 
 
 }  // namespace
 
+AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
+  bulk += other.bulk;
+  contact += other.contact;
+  pattern += other.pattern;
+  assemblies += other.assemblies;
+  return *this;
+}
+
 Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
     const auto memory = contact::memory_at_rest(model.surfaces);

@@ -64,6 +64,9 @@ double distance(const FacePiece& piece, const geometry::TipBall& ball) {
   return (0.5 * (piece.start + piece.end) - ball.frame.tip()).norm();
 }
 
+// As far as the integral goes: the faces must be straight.
+double straight_reach(const geometry::TipBall& ball) { return std::min(ball.radius, ball.frame.straight_until()); }
+
 bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
   const auto& surfaces = body.model.surfaces;
   bool any = false;
@@ -71,7 +74,7 @@ bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     const Vec2 X = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
-    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > ball.radius) continue;
+    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > straight_reach(ball)) continue;
     any = true;
     if (!contact::presses(body.pairs[p])) return false;
   }
@@ -87,7 +90,7 @@ void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
   const auto sign = [](const FacePiece& piece) { return piece.side == Side::Left ? 1.0 : -1.0; };
   for (const auto& piece : pieces) {
     const double r = distance(piece, ball);
-    if (r < kWrong * ball.radius || r > ball.radius) continue;
+    if (r < kWrong * straight_reach(ball) || r > straight_reach(ball)) continue;
     for (int i = 0; i < 2; ++i) fit[i].add(r, sign(piece) * piece.traction[i], (piece.end - piece.start).norm());
   }
   for (auto& piece : pieces) {

@@ -103,6 +103,16 @@ struct LinearSolver::Data {
   }
 };
 
+SolverSeconds& SolverSeconds::operator+=(const SolverSeconds& other) {
+  analyse += other.analyse;
+  factorise += other.factorise;
+  solve += other.solve;
+  analyses += other.analyses;
+  factorisations += other.factorisations;
+  unsymmetric_fallbacks += other.unsymmetric_fallbacks;
+  return *this;
+}
+
 LinearSolver::LinearSolver(Factorisation kind) : data_(std::make_unique<Data>(kind)) {}
 LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;

@@ -137,6 +137,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     if (increment.failure) {
       const double size = along_path ? place_.stretch : place_.step;
       ++cuts;
+      if (!along_path && before < state_.load + place_.step) place_.step = before - state_.load;
       if (shorten()) continue;
       return given_up(*increment.failure, increment.load, size);
     }
@@ -144,8 +145,8 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       return Failure{FailureKind::Unloaded, fmt::format("from load {:.6g}", state_.load),
                      "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
     if (event.judge)
-      if (const auto lower = event.judge(
-              {model_, increment.load, increment.displacement, assembler_.plastic(), assembler_.pairs()})) {
+      if (const auto lower =
+              event.judge({model_, increment.load, increment.displacement, assembler_.plastic(), assembler_.pairs()})) {
         before = *lower;
         continue;
       }
@@ -166,27 +167,35 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
   if (auto failure = assembler_.assemble(state_.displacement, state_.history)) return *failure;
   VecX held = assembler_.internal_force() - dead_force(model_, state_.load);
   for (const auto& constraint : constraints_) held[constraint.component] = 0.0;
-  int cuts = 0;
+  int cuts = 0, iterations_before = 0;
+  bool failed = false;  // since the last part
   for (double gone = 0.0, part = 1.0;;) {
     const double next = std::min(1.0, gone + part);
     const VecX still = (1.0 - next) / (1.0 - gone) * held;
     const Increment increment = solve({.load = state_.load, .held = &still}, observer);
     if (increment.failure) {
       ++cuts;
+      failed = true;
       part *= 0.5;
       if (part >= kLeastPart) continue;
-      return given_up(*increment.failure, increment.load, part);
+      Failure failure = *increment.failure;
+      failure.place += fmt::format("{}at load {:.6g}, with {:.3g} of what the new faces held still there",
+                                   failure.place.empty() ? "" : ", ", state_.load, 1.0 - gone);
+      return failure;
     }
     Step out = commit(increment);
     if (next < 1.0) {
       --place_.number;
+      iterations_before += static_cast<int>(increment.iterations.size());
       held = still;
       gone = next;
-      if (increment.iterations.size() <= kEasyIterations) part *= 2.0;
+      if (increment.iterations.size() <= kEasyIterations && !failed) part *= 2.0;
+      failed = false;
       continue;
     }
     state_.energies.released += state_.energies.imbalance() - unexplained;
     out.cuts = cuts;
+    out.iterations_before = iterations_before;
     return out;
   }
 }

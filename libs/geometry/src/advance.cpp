@@ -1,25 +1,25 @@
 #include "cleft/geometry/advance.hpp"
 
+#include <algorithm>
+
 #include "topology.hpp"
 
 namespace cleft::geometry {
 
-Reach reach(const Mesh& mesh, const Vec2& from, const Vec2& to) {
+Vec2 reach(const Mesh& mesh, const Vec2& from, const Vec2& to) {
   const Vec2 way = to - from;
   double least = 1.0;
-  bool leaves = false;
   for (const TriangleEdge& edge : Topology(mesh).boundary()) {
-    const Vec2& a = mesh.nodes[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(edge.triangle)]
-                                                                      [static_cast<std::size_t>(edge.local)])];
+    const Vec2& a = mesh.nodes[static_cast<std::size_t>(
+        mesh.triangles[static_cast<std::size_t>(edge.triangle)][static_cast<std::size_t>(edge.local)])];
     const Vec2& b = mesh.nodes[static_cast<std::size_t>(
         mesh.triangles[static_cast<std::size_t>(edge.triangle)][static_cast<std::size_t>((edge.local + 1) % 3)])];
     const double before = cross(b - a, from - a), after = cross(b - a, to - a);  // the body is on the left
     if (after > 0.0 || before <= 0.0) continue;
     if (cross(way, a - from) > 0.0 || cross(way, b - from) < 0.0) continue;
-    leaves = true;
     least = std::min(least, before / (before - after));
   }
-  return {leaves ? Vec2(from + least * way) : to, leaves};
+  return least < 1.0 ? Vec2(from + least * way) : to;
 }
 
 Crack extended(Crack crack, int end, const Vec2& point) {

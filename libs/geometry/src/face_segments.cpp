@@ -55,7 +55,8 @@ class SegmentBuilder {
     const EdgeCrossing& end = crossing(trace_.chains.back().passages.back().out);
     entry.ends[0] = {trace_.chains.front().kind[0], crack_.points.front(), start.point, start.s};
     entry.ends[1] = {trace_.chains.back().kind[1], crack_.points.back(), end.point, end.s};
-    if (first_tip) entry.ends[0] = {CrackEnd::Kind::Tip, crack_.points.front(), crack_.points.front(), tracer_.arc_at(0)};
+    if (first_tip)
+      entry.ends[0] = {CrackEnd::Kind::Tip, crack_.points.front(), crack_.points.front(), tracer_.arc_at(0)};
     if (last_tip) entry.ends[1] = {CrackEnd::Kind::Tip, crack_.points.back(), crack_.points.back(), tracer_.arc_at(1)};
     result_.cracks.push_back(entry);
   }

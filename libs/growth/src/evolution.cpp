@@ -21,26 +21,10 @@ constexpr double kTogether = 1e-3;
 constexpr int kStraightLooks = 6;  // after that the bracket is halved
 
 std::string name_of(const std::vector<geometry::Crack>& cracks, const TipName& tip) {
-  return fmt::format("crack '{}', {} point", cracks[tip.crack].name, tip.end == 0 ? "first" : "last");
+  return fmt::format("crack '{}', {}", cracks[tip.crack].name, tip.end == 0 ? "start" : "end");
 }
 
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
-
-void add(assembly::AssemblySeconds& sum, const assembly::AssemblySeconds& part) {
-  sum.bulk += part.bulk;
-  sum.contact += part.contact;
-  sum.pattern += part.pattern;
-  sum.assemblies += part.assemblies;
-}
-
-void add(assembly::SolverSeconds& sum, const assembly::SolverSeconds& part) {
-  sum.analyse += part.analyse;
-  sum.factorise += part.factorise;
-  sum.solve += part.solve;
-  sum.analyses += part.analyses;
-  sum.factorisations += part.factorisations;
-  sum.unsymmetric_fallbacks += part.unsymmetric_fallbacks;
-}
 
 }  // namespace
 
@@ -81,14 +65,27 @@ Evolution::Judged Evolution::judge(const assembly::Equilibrium& body) const {
       if (!may_grow(tip)) continue;
       const Demand demand =
           std::visit([&](const auto& criterion) { return criterion.judge(body, tip); }, laws_[c]->criterion);
+      if (std::isnan(demand.measure)) return {{{tip, demand}}, demand.measure};
       out.tips.push_back({tip, demand});
-      if (!(demand.measure <= out.largest)) out.largest = demand.measure;  // what is not a number, too
+      out.largest = std::max(out.largest, demand.measure);
     }
   if (out.largest >= 1.0)
     std::erase_if(out.tips, [&](const Due& due) { return due.demand.measure < out.largest - kTogether; });
   else
     out.tips.clear();
   return out;
+}
+
+std::optional<Failure> Evolution::no_answer(const Judged& judged) const {
+  if (!std::isnan(judged.largest)) return std::nullopt;
+  const TipName& tip = judged.tips.front().tip;
+  return std::visit(
+      [&]<class Criterion>(const Criterion&) {
+        return Failure{FailureKind::NotFinite,
+                       fmt::format("at the {}: {}", name_of(model_->cracks, tip), Criterion::kNoAnswer),
+                       Criterion::kAdvice};
+      },
+      laws_[tip.crack]->criterion);
 }
 
 std::variant<Step, Failure> Evolution::advance(const assembly::IterationObserver& observer) {
@@ -102,8 +99,7 @@ std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserve
   const double load = stepper_->state().load, within = tolerance();
   int looks = 0;
   const auto look = [&] {
-    return next_look({load, record_.measure, record_.beyond, record_.measure_beyond}, within,
-                     looks++ > kStraightLooks);
+    return next_look({load, record_.measure, record_.beyond, record_.measure_beyond}, within, looks++ > kStraightLooks);
   };
   Judged judged;
   assembly::Event event;
@@ -117,9 +113,7 @@ std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserve
   };
   auto outcome = stepper_->advance(observer, event);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
-  if (std::isnan(judged.largest))
-    return Failure{FailureKind::NotFinite, "in the stress around a tip: no part of an element lies within its radius",
-                   "a larger growth.radius, or a finer mesh where the crack grows"};
+  if (auto failure = no_answer(judged)) return *failure;
   record_.measure = judged.largest;
   record_.due = judged.tips;
   if (!record_.due.empty() || stepper_->state().load >= record_.beyond) record_.beyond = Record::kNever;
@@ -141,18 +135,18 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
               .stop = Stop::None,
               .hindrance = {}};
   for (const double part : {1.0, 0.5, 0.25}) {
-    const auto way = geometry::reach(model_->mesh, from.point, from.point + part * law.advance * demand.ahead);
+    const Vec2 to = geometry::reach(model_->mesh, from.point, from.point + part * law.advance * demand.ahead);
     auto longer = cracks;
-    longer[tip.crack] = geometry::extended(longer[tip.crack], tip.end, way.point);
+    longer[tip.crack] = geometry::extended(longer[tip.crack], tip.end, to);
     try {
       const auto cut = geometry::cut(model_->mesh, longer);
       const bool through = cut.cracks[tip.crack].ends[tip.end].kind == geometry::CrackEnd::Kind::Mouth;
-      out.point = way.point;
-      out.length = (way.point - from.point).norm();
+      out.point = to;
+      out.length = (to - from.point).norm();
       if (through)
         out.stop = Stop::Boundary;
       else if (part < 1.0)
-        out.stop = Stop::Crack;
+        out.stop = Stop::Hindered;
       else if (out.number == law.most)
         out.stop = Stop::Most;
       cracks = std::move(longer);
@@ -162,18 +156,14 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
     }
   }
   out.number -= 1;
-  out.stop = Stop::Crack;
+  out.stop = Stop::Hindered;
   return out;
 }
 
-void Evolution::cut_anew(const std::vector<geometry::Crack>& cracks, assembly::State state,
-                         assembly::StepPlace place, std::optional<assembly::ContactRoom> room) {
-  add(assembly_before_, stepper_->assembler().seconds());
-  add(solver_before_, stepper_->solver().seconds());
-  auto model = std::make_unique<const assembly::Model>(recut_(cracks));
-  if (state.displacement.size() == 0) state = transfer(*model_, stepper_->state(), *model);
-  stepper_ = std::make_unique<assembly::LoadStepper>(*model, controls_);
-  stepper_->restore(std::move(state), place, std::move(room));
+void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper) {
+  assembly_before_ += stepper_->assembler().seconds();
+  solver_before_ += stepper_->solver().seconds();
+  stepper_ = std::move(stepper);
   model_ = std::move(model);
 }
 
@@ -181,20 +171,30 @@ std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& o
   auto cracks = model_->cracks;
   std::vector<Advance> advances;
   for (const Due& due : record_.due) advances.push_back(lengthen(due, cracks));
-  const std::string who = name_of(cracks, advances.front().tip);
+  const auto failed = [&](Failure failure) {
+    std::string who;
+    for (const Advance& a : advances)
+      who += fmt::format("{}{} to ({:.6g}, {:.6g}){}", who.empty() ? "" : " and ", name_of(cracks, a.tip), a.point.x(),
+                         a.point.y(), a.stop == Stop::Boundary ? " through the boundary" : "");
+    failure.place = fmt::format("after growth of {}: {}", who, failure.place);
+    return failure;
+  };
+  std::unique_ptr<const assembly::Model> model;
   try {
-    cut_anew(cracks, {}, stepper_->place(), std::nullopt);
+    model = std::make_unique<const assembly::Model>(recut_(cracks));
   } catch (const InputError& error) {
-    return Failure{FailureKind::NoConvergence, fmt::format("after growth of {}: {}", who, error.what()),
-                   "fewer advances (growth.most)"};
+    return failed({FailureKind::NoConvergence, error.what(), "fewer advances (growth.most)"});
   }
-  origin_ = stepper_->state();
-  auto outcome = stepper_->settle(observer);
+  auto stepper = std::make_unique<assembly::LoadStepper>(*model, controls_);
+  auto origin = transfer(*model_, stepper_->state(), *model);
+  stepper->restore(origin, stepper_->place());
+  auto outcome = stepper->settle(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) {
-    failure->place = fmt::format("after growth of {}{}{}", who, failure->place.empty() ? "" : ", ", failure->place);
     failure->advice += "; or shorter advances (growth.advance)";
-    return std::move(*failure);
+    return failed(std::move(*failure));
   }
+  replace(std::move(model), std::move(stepper));
+  origin_ = std::move(origin);
   for (std::size_t c = 0; c < cracks.size(); ++c) {
     record_.points[c] = cracks[c].points;
     record_.s_first[c] = cracks[c].s_first;
@@ -202,6 +202,7 @@ std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& o
   for (const Advance& advance : advances)
     record_.tips[advance.tip.crack][advance.tip.end] = {advance.number, advance.stop};
   const Judged judged = judge(stepper_->equilibrium());
+  if (auto failure = no_answer(judged)) return *failure;
   record_.measure = judged.largest;
   record_.due = judged.tips;
   Step out{std::move(std::get<assembly::Step>(outcome)), std::move(advances),
@@ -219,21 +220,23 @@ void Evolution::restore(Record record, assembly::State state, assembly::StepPlac
     cracks[c].s_first = record.s_first[c];
   }
   record_ = std::move(record);
-  if (grown)
-    cut_anew(cracks, std::move(state), place, std::move(room));
-  else
-    stepper_->restore(std::move(state), place, std::move(room));
+  if (grown) {
+    auto model = std::make_unique<const assembly::Model>(recut_(cracks));
+    auto stepper = std::make_unique<assembly::LoadStepper>(*model, controls_);
+    replace(std::move(model), std::move(stepper));
+  }
+  stepper_->restore(std::move(state), place, std::move(room));
 }
 
 assembly::AssemblySeconds Evolution::assembly_seconds() const {
   auto sum = assembly_before_;
-  add(sum, stepper_->assembler().seconds());
+  sum += stepper_->assembler().seconds();
   return sum;
 }
 
 assembly::SolverSeconds Evolution::solver_seconds() const {
   auto sum = solver_before_;
-  add(sum, stepper_->solver().seconds());
+  sum += stepper_->solver().seconds();
   return sum;
 }
 

@@ -2,64 +2,82 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cleft::growth {
 namespace {
 
 using assembly::Model;
 
-// Arc lengths of a crack as it is drawn. Where a cut ends beyond them, on the way to the next element edge, a longer
-// crack may take another way.
-struct Range {
-  double first = 0.0, last = 0.0;
+// Arc lengths of a crack at which its faces are the same before and after. Where an end has moved that is as far as the
+// crack was drawn: its cut may have ended beyond, on the way to the next element edge, and the longer crack may take
+// another way from there.
+struct Kept {
+  double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
   bool holds(double s) const { return first <= s && s <= last; }
 };
 
-Range range_of(const geometry::Crack& crack) {
-  Range range{crack.s_first, crack.s_first};
-  for (std::size_t k = 1; k < crack.points.size(); ++k) range.last += (crack.points[k] - crack.points[k - 1]).norm();
-  return range;
+Kept kept_of(const geometry::Crack& before, const geometry::Crack& after) {
+  Kept kept;
+  if (before.points.front() != after.points.front()) kept.first = before.s_first;
+  if (before.points.back() == after.points.back()) return kept;
+  kept.last = before.s_first;
+  for (std::size_t k = 1; k < before.points.size(); ++k) kept.last += (before.points[k] - before.points[k - 1]).norm();
+  return kept;
 }
 
 double at(const enrichment::Face& face, double place) { return face.s_start + place * (face.s_end - face.s_start); }
 
 double place_on(const enrichment::Face& face, double s) { return (s - face.s_start) / (face.s_end - face.s_start); }
 
-// Finds faces by arc length.
-class Faces {
- public:
-  explicit Faces(const Model& model) : model_(model) {}
+// The face of a crack and side that holds an arc length, or kNone.
+Index face_at(const Model& m, Index crack, geometry::Side side, double s) {
+  const auto& cut = m.cut.cracks[crack];
+  const auto first = m.cut.segments.begin() + cut.first_segment, last = m.cut.segments.begin() + cut.last_segment;
+  const auto after = std::upper_bound(
+      first, last, s, [](double value, const geometry::FaceSegment& segment) { return value < segment.s_start; });
+  if (after == first || !(s <= (after - 1)->s_end)) return kNone;
+  return enrichment::face_of(static_cast<Index>(after - 1 - m.cut.segments.begin()), side);
+}
 
-  /// The face of a crack and side that holds the arc length, or kNone.
-  Index holding(Index crack, geometry::Side side, double s) const {
-    const auto& cut = model_.cut.cracks[crack];
-    const auto begin = model_.cut.segments.begin();
-    const auto after = std::upper_bound(begin + cut.first_segment, begin + cut.last_segment, s,
-                                        [](double value, const geometry::FaceSegment& x) { return value < x.s_start; });
-    if (after == begin + cut.first_segment || !(s <= (after - 1)->s_end)) return kNone;
-    return enrichment::face_of(static_cast<Index>(after - 1 - begin), side);
+// An anchor moves along with its point, which may be a little off the old one: else it would pull.
+class Anchors {
+ public:
+  Anchors(const Model& from, const Model& to, const std::vector<Kept>& kept) : from_(from), to_(to), kept_(kept) {}
+
+  void move(Index old_point, Index point, contact::Memory& memory) const {
+    if (memory.anchor_face == kNone) return;
+    const auto &was = from_.surfaces.points[old_point], &now = to_.surfaces.points[point];
+    const auto &old_own = from_.surfaces.faces[was.face], &own = to_.surfaces.faces[now.face];
+    if (to_.surfaces.undeformed) {  // the anchor is a distance along the point's own face
+      const double scale = (old_own.s_end - old_own.s_start) / (own.s_end - own.s_start);
+      memory.anchor_face = enrichment::opposite_face(now.face);
+      memory.anchor_place = now.eta + (memory.anchor_place - was.eta) * scale;
+      return;
+    }
+    const bool same_point = was.eta == now.eta && is_same(old_own, own);
+    const double shift = same_point ? 0.0 : at(own, now.eta) - at(old_own, was.eta);
+    const auto& old = from_.surfaces.faces[memory.anchor_face];
+    const double s = at(old, memory.anchor_place) + shift;
+    // an anchor beyond the free end of a face is held by its last segment
+    const double inside = at(old, std::clamp(memory.anchor_place, 0.0, 1.0));
+    memory.anchor_face = kept_[old.crack].holds(inside) ? face_at(to_, old.crack, old.side, inside) : kNone;
+    if (memory.anchor_face == kNone) {
+      memory.anchor_place = 0.0;
+      return;
+    }
+    const auto& face = to_.surfaces.faces[memory.anchor_face];
+    if (shift != 0.0 || !is_same(old, face)) memory.anchor_place = place_on(face, s);
   }
 
  private:
-  const Model& model_;
-};
-
-// Where an anchor of `from` lies on the faces of `to`; the memory loses it if it lies nowhere.
-void move_anchor(const Model& from, const Model& to, const Faces& faces, contact::Memory& memory) {
-  if (memory.anchor_face == kNone) return;
-  const auto& old = from.surfaces.faces[memory.anchor_face];
-  // an anchor beyond the end of a face is held by its last segment
-  const double inside = std::clamp(memory.anchor_place, 0.0, 1.0);
-  const double s = at(old, inside);
-  memory.anchor_face = range_of(from.cracks[old.crack]).holds(s) ? faces.holding(old.crack, old.side, s) : kNone;
-  if (memory.anchor_face == kNone) {
-    memory.anchor_place = 0.0;
-    return;
+  static bool is_same(const enrichment::Face& a, const enrichment::Face& b) {
+    return a.s_start == b.s_start && a.s_end == b.s_end;
   }
-  const auto& face = to.surfaces.faces[memory.anchor_face];
-  const bool same = face.s_start == old.s_start && face.s_end == old.s_end;
-  if (!same) memory.anchor_place = place_on(face, at(old, memory.anchor_place));
-}
+
+  const Model &from_, &to_;
+  const std::vector<Kept>& kept_;
+};
 
 }  // namespace
 
@@ -68,22 +86,21 @@ std::vector<contact::Memory> contact_on(const Model& from, const std::vector<con
   std::vector<std::vector<Index>> points_of(from.surfaces.faces.size());
   for (Index p = 0; p < static_cast<Index>(from.surfaces.points.size()); ++p)
     points_of[from.surfaces.points[p].face].push_back(p);
-  std::vector<Range> drawn;
-  for (const auto& crack : from.cracks) drawn.push_back(range_of(crack));
-  const Faces old_faces(from), new_faces(to);
+  std::vector<Kept> kept;
+  for (std::size_t c = 0; c < from.cracks.size(); ++c) kept.push_back(kept_of(from.cracks[c], to.cracks[c]));
+  const Anchors anchors(from, to, kept);
   auto out = contact::memory_at_rest(to.surfaces);
-  for (std::size_t p = 0; p < out.size(); ++p) {
+  for (Index p = 0; p < static_cast<Index>(out.size()); ++p) {
     const auto& point = to.surfaces.points[p];
     const auto& face = to.surfaces.faces[point.face];
     const double s = at(face, point.eta);
-    if (!drawn[face.crack].holds(s)) continue;
-    const Index old_face = old_faces.holding(face.crack, face.side, s);
+    const Index old_face = kept[face.crack].holds(s) ? face_at(from, face.crack, face.side, s) : kNone;
     if (old_face == kNone || points_of[old_face].empty()) continue;
     const double eta = place_on(from.surfaces.faces[old_face], s);
     const Index nearest = *std::ranges::min_element(
         points_of[old_face], {}, [&](Index k) { return std::fabs(from.surfaces.points[k].eta - eta); });
     out[p] = memory[nearest];
-    move_anchor(from, to, new_faces, out[p]);
+    anchors.move(nearest, p, out[p]);
   }
   return out;
 }

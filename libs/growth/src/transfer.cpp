@@ -25,7 +25,8 @@ std::vector<Index> sources(const Model& from, const Model& to) {
     });
     if (same == from.cut.tips.end()) continue;
     const auto old = static_cast<Index>(same - from.cut.tips.begin());
-    for (int a = 0; a < enrichment::kBranches; ++a) source[to.unknowns.amplitude(t, a)] = from.unknowns.amplitude(old, a);
+    for (int a = 0; a < enrichment::kBranches; ++a)
+      source[to.unknowns.amplitude(t, a)] = from.unknowns.amplitude(old, a);
   }
   return source;
 }

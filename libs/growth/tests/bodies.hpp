@@ -35,14 +35,16 @@ struct Square {
     s.element_size = 1.0 / cells[0];
     s.laws.assign(grown.size(), {1e10 / s.element_size, 1e10 / s.element_size, friction});
     s.sides.assign(grown.size(), contact::NegativeSide::Right);
+    s.undeformed = m.is_small_strain();
     s.points = contact::place_points(s, 2);
     const auto hold = [&](const char* on, const Vec2& at_full_load) {
       auto unknowns = geometry::boundary_nodes(m.mesh, on);
       for (std::size_t k = 0, nodes = unknowns.size(); k < nodes; ++k)
         if (m.unknowns.ghost[unknowns[k]] != kNone) unknowns.push_back(m.unknowns.ghost[unknowns[k]]);
-      m.prescribed.push_back({on, unknowns, {true, true}, [at_full_load](const Vec2&, geometry::MaybeSide, double load) {
-                                return Vec2(load * at_full_load);
-                              }});
+      m.prescribed.push_back(
+          {on, unknowns, {true, true}, [at_full_load](const Vec2&, geometry::MaybeSide, double load) {
+             return Vec2(load * at_full_load);
+           }});
     };
     hold("bottom", {0, 0});
     hold("top", top);

@@ -98,6 +98,27 @@ TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
   EXPECT_GT(fresh, 6);
 }
 
+// The end that stays may be cut beyond its point, up to the next edge: those faces stay, too.
+TEST(Transfer, LeavesTheContactOfAnEndThatStaysAlone) {
+  for (const auto& grown : {std::array{true, false}, std::array{false, true}, std::array{false, false}}) {
+    const Slid s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.0, grown);
+    int same = 0;
+    for (std::size_t p = 0; p < s.after.surfaces.points.size(); ++p)
+      for (std::size_t q = 0; q < s.before.surfaces.points.size(); ++q) {
+        const auto &now = s.after.surfaces.faces[s.after.surfaces.points[p].face],
+                   &was = s.before.surfaces.faces[s.before.surfaces.points[q].face];
+        if (now.reference_start != was.reference_start || now.reference_end != was.reference_end ||
+            s.after.surfaces.points[p].eta != s.before.surfaces.points[q].eta)
+          continue;
+        EXPECT_EQ(s.handed_on.history.contact[p].slip, s.state.history.contact[q].slip);
+        EXPECT_EQ(s.handed_on.history.contact[p].tangential, s.state.history.contact[q].tangential);
+        ++same;
+      }
+    const int ends = grown[0] + grown[1];
+    EXPECT_GE(same, static_cast<int>(s.before.surfaces.points.size()) - 4 * ends);
+  }
+}
+
 TEST(Transfer, KeepsTheReactionsOfWhatIsPrescribed) {
   const Slid s;
   const auto sum = [](const VecX& f) { return f.cwiseAbs().sum(); };
@@ -132,6 +153,35 @@ TEST(Transfer, KeepsTheBranchFunctionsOfATipThatStays) {
     EXPECT_EQ(amplitude(s.after, s.handed_on.displacement, 0), Vec2::Zero());
     EXPECT_EQ(amplitude(s.after, s.handed_on.displacement, 1), amplitude(s.before, s.state.displacement, 1));
   }
+}
+
+// There an anchor is a distance along the face from the point that it holds, however long the segments are.
+TEST(Transfer, InTheUndeformedConfigurationAnchorsKeepTheirDistance) {
+  const Slid s(constitutive::LinearElastic{constitutive::lame(1e10, 0.25)});
+  ASSERT_TRUE(s.before.surfaces.undeformed);
+  const auto length = [](const assembly::Model& m, Index face) {
+    return m.surfaces.faces[face].s_end - m.surfaces.faces[face].s_start;
+  };
+  int slid_away = 0;
+  auto far = s.state;
+  for (std::size_t q = 0; q < far.history.contact.size(); ++q)  // beyond the segment's end, as after a long slide
+    if (far.history.contact[q].anchor_face != kNone && q % 3 == 0) far.history.contact[q].anchor_place += 1.7;
+  const auto handed_on = transfer(s.before, far, s.after);
+  for (std::size_t p = 0; p < s.after.surfaces.points.size(); ++p)
+    for (std::size_t q = 0; q < s.before.surfaces.points.size(); ++q) {
+      const auto &now = s.after.surfaces.points[p], &was = s.before.surfaces.points[q];
+      const auto &face = s.after.surfaces.faces[now.face], &old = s.before.surfaces.faces[was.face];
+      if (std::fabs(face.s_start - old.s_start) > 1e-12 || std::fabs(face.s_end - old.s_end) > 1e-12 ||
+          now.eta != was.eta)
+        continue;
+      const auto &memory = handed_on.history.contact[p], &expected = far.history.contact[q];
+      if (expected.anchor_face == kNone) continue;
+      EXPECT_EQ(memory.anchor_face, enrichment::opposite_face(now.face));
+      EXPECT_NEAR((memory.anchor_place - now.eta) * length(s.after, now.face),
+                  (expected.anchor_place - was.eta) * length(s.before, was.face), 1e-14);
+      slid_away += expected.anchor_place > 1.0;
+    }
+  EXPECT_GT(slid_away, 2);
 }
 
 }  // namespace

@@ -26,7 +26,9 @@ Json growth_of(const growth::Law& law) {
     j = {{"criterion", "hoop-stress"}, {"toughness", std::get<growth::HoopStress>(law.criterion).toughness}};
   j.update({{"advance", law.advance},
             {"most", law.most},
-            {"tips", law.tips[0] && law.tips[1] ? "both" : law.tips[0] ? "first" : "last"},
+            {"tips", law.tips[0] && law.tips[1] ? "both"
+                     : law.tips[0]              ? "start"
+                                                : "end"},
             {"load_tolerance", law.load_tolerance}});
   return j;
 }

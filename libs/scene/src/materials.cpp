@@ -109,10 +109,12 @@ void refuse_mixed_balls(const Scene& scene, const assembly::Model& m) {
     const auto &a = m.tip_points[p - 1], &b = m.tip_points[p];
     const auto at = static_cast<Index>(m.cells.size() + p);
     const auto& crack = scene.cracks[m.cut.tips[b.tip].crack];
-    if (a.tip == b.tip && (crack.intensities || grows_by_intensities(crack)) && m.material_of[at - 1] != m.material_of[at])
-      throw InputError(crack.at, fmt::format("crack '{}'", crack.name),
-                       "its stress intensity factors are asked for, but two materials meet in the ball of a tip; allowed: a smaller "
-                       "tip_enrichment");
+    if (a.tip == b.tip && (crack.intensities || grows_by_intensities(crack)) &&
+        m.material_of[at - 1] != m.material_of[at])
+      throw InputError(
+          crack.at, fmt::format("crack '{}'", crack.name),
+          "its stress intensity factors are asked for, but two materials meet in the ball of a tip; allowed: a smaller "
+          "tip_enrichment");
   }
 }
 

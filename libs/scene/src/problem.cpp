@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "cleft/assembly/patches.hpp"
 #include "exact.hpp"
@@ -31,19 +32,19 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
 }
 
 // With the laws of an earlier cut of the same cracks, where there is one: the penalty is a property of the crack.
-void set_up_contact(const Scene& scene, const assembly::Model* earlier, assembly::Model& m) {
+void set_up_contact(const Scene& scene, const std::vector<contact::Law>& earlier, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.search_radius = scene.solver.search_radius;
   s.undeformed = scene.kinematics == Kinematics::Small;
   for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
-  const auto scale = earlier ? std::vector<double>{} : penalty_scale(scene, m);
+  const auto scale = earlier.empty() ? penalty_scale(scene, m) : std::vector<double>{};
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const auto& spec = scene.cracks[k];
-    s.laws.push_back(earlier ? earlier->surfaces.laws[k]
-                             : contact::Law{spec.normal_penalty.value_or(scale[k]),
-                                            spec.tangential_penalty.value_or(scale[k]), spec.friction});
+    s.laws.push_back(earlier.empty() ? contact::Law{spec.normal_penalty.value_or(scale[k]),
+                                                    spec.tangential_penalty.value_or(scale[k]), spec.friction}
+                                     : earlier[k]);
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
@@ -177,22 +178,30 @@ std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& mod
 
 namespace {
 
-// Averages around a tip need something to average over.
-void refuse_empty_averages(const Scene& scene, const assembly::Model& m) {
+// What grows needs a tip, and averages around it something to average over.
+void refuse_idle_growth(const Scene& scene, const assembly::Model& m) {
   for (Index c = 0; c < static_cast<Index>(scene.cracks.size()); ++c) {
-    const auto& law = scene.cracks[c].growth;
-    const auto* rankine = law ? std::get_if<growth::Rankine>(&law->criterion) : nullptr;
-    for (const int end : {0, 1})
-      if (rankine && law->tips[end] && m.cut.cracks[c].ends[end].kind == geometry::CrackEnd::Kind::Tip &&
-          growth::points_around(m, {c, end}, rankine->radius) == 0)
-        throw InputError(scene.cracks[c].at, fmt::format("crack[{}].growth.radius", c),
+    const auto& [law, at] = std::tie(scene.cracks[c].growth, scene.cracks[c].growth_at);
+    if (!law) continue;
+    const auto* rankine = std::get_if<growth::Rankine>(&law->criterion);
+    int tips = 0;
+    for (const int end : {0, 1}) {
+      if (!law->tips[end] || m.cut.cracks[c].ends[end].kind != geometry::CrackEnd::Kind::Tip) continue;
+      ++tips;
+      if (rankine && growth::points_around(m, {c, end}, rankine->radius) == 0)
+        throw InputError(at, fmt::format("crack[{}].growth.radius", c),
                          "no element has its centre within the radius of a tip; allowed: a larger radius, or a finer "
                          "mesh");
+    }
+    if (tips == 0)
+      throw InputError(at, fmt::format("crack[{}].growth.tips", c),
+                       "none of these ends lies inside the body; allowed: growth of a crack with a tip, and tips that "
+                       "name it");
   }
 }
 
 assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<geometry::Crack> cracks,
-                           const assembly::Model* earlier) {
+                           const std::vector<contact::Law>& earlier) {
   assembly::Model m;
   m.mesh = std::move(mesh);
   m.cracks = std::move(cracks);
@@ -251,8 +260,8 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
 assembly::Model build_model(const Scene& scene) {
   auto mesh = make_mesh(scene);
   auto cracks = make_cracks(scene, mesh);
-  auto m = discretise(scene, std::move(mesh), std::move(cracks), nullptr);
-  refuse_empty_averages(scene, m);
+  auto m = discretise(scene, std::move(mesh), std::move(cracks), {});
+  refuse_idle_growth(scene, m);
   return m;
 }
 
@@ -260,9 +269,9 @@ growth::Evolution make_evolution(const Scene& scene, assembly::Model model) {
   std::vector<std::optional<growth::Law>> laws;
   for (const auto& crack : scene.cracks) laws.push_back(crack.growth);
   if (!grows(scene)) return {std::move(model), step_controls(scene)};
-  const auto first = std::make_shared<const assembly::Model>(model);
-  const auto recut = [scene, first](const std::vector<geometry::Crack>& cracks) {
-    return discretise(scene, first->mesh, cracks, first.get());
+  const auto recut = [scene, mesh = model.mesh,
+                      penalties = model.surfaces.laws](const std::vector<geometry::Crack>& cracks) {
+    return discretise(scene, mesh, cracks, penalties);
   };
   return {std::move(model), step_controls(scene), std::move(laws), recut};
 }

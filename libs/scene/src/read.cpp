@@ -57,7 +57,10 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
     out.normal_penalty = c->maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
     out.tangential_penalty = c->maybe_number("tangential_penalty", kPositive, "a positive number, Pa/m");
   }
-  if (const auto g = s.section("growth", "crack.growth")) out.growth = read_growth(*g);
+  if (const auto g = s.section("growth", "crack.growth")) {
+    out.growth = read_growth(*g);
+    out.growth_at = g->at();
+  }
   return out;
 }
 

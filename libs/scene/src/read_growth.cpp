@@ -7,9 +7,11 @@ namespace cleft::scene {
 growth::Law read_growth(const Section& s) {
   growth::Law out;
   const bool rankine = s.choice("criterion", {"rankine", "hoop-stress"}) == "rankine";
-  for (const auto& [key, belongs] :
-       {std::pair{"strength", rankine}, {"radius", rankine}, {"toughness", !rankine}})
-    if (s.has(key) && !belongs) s.fail(key, fmt::format("is none of criterion = \"{}\"", s.text("criterion")));
+  for (const auto& [key, belongs] : {std::pair{"strength", rankine}, {"radius", rankine}, {"toughness", !rankine}})
+    if (s.has(key) && !belongs)
+      s.fail(key, fmt::format("belongs to the other criterion; allowed with \"{}\": {}, advance, most, tips, "
+                              "load_tolerance",
+                              s.text("criterion"), rankine ? "strength, radius" : "toughness"));
   if (rankine)
     out.criterion = growth::Rankine{s.number("strength", kPositive, "a positive number, Pa"),
                                     s.number("radius", kPositive, "a positive number, m")};
@@ -18,8 +20,8 @@ growth::Law read_growth(const Section& s) {
   out.advance = s.number("advance", kPositive, "a positive number, m");
   out.most = s.integer_or("most", out.most, 1, 1000000);
   if (s.has("tips")) {
-    const auto tips = s.choice("tips", {"both", "first", "last"});
-    out.tips = {tips != "last", tips != "first"};
+    const auto tips = s.choice("tips", {"both", "start", "end"});
+    out.tips = {tips != "end", tips != "start"};
   }
   out.load_tolerance = s.number_or(
       "load_tolerance", out.load_tolerance, [](double x) { return x >= 1e-10 && x <= 1.0; }, "1e-10 to 1");

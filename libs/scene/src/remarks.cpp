@@ -5,7 +5,8 @@
 namespace cleft::scene {
 namespace {
 
-constexpr double kStiff = 20.0;  // times E/h: measured on the block, see remarks() in problem.hpp
+constexpr double kShort = 1.0 - 1e-9;  // of an element; not equal but for rounding
+constexpr double kStiff = 20.0;        // times E/h: measured on the block, see remarks() in problem.hpp
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
@@ -34,9 +35,21 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     const auto& law = model.surfaces.laws[k];
     const auto& growth = scene.cracks[k].growth;
     const double size = scene.materials.front().young / scale[k];
-    if (growth && scene.materials.size() == 1 && growth->advance < size)
+    const auto* rankine = growth ? std::get_if<growth::Rankine>(&growth->criterion) : nullptr;
+    const bool one_material = scene.materials.size() == 1;
+    if (growth && one_material && growth->advance < kShort * size)
       out.push_back(fmt::format("{}: an advance of {:.3g} m is shorter than the elements ({:.3g} m)", crack,
                                 growth->advance, size));
+    if (rankine && one_material && rankine->radius < kShort * size)
+      out.push_back(
+          fmt::format("{}: the radius of {:.3g} m around a tip is smaller than the elements ({:.3g} m); where "
+                      "none lies within it growth ends the run",
+                      crack, rankine->radius, size));
+    if (grows_by_intensities(scene.cracks[k]) && growth->advance < scene.tip_enrichment)
+      out.push_back(
+          fmt::format("{}: its intensities are taken within an advance ({:.3g} m) of the tip, though the ball "
+                      "is larger ({:.3g} m): the crack turns there",
+                      crack, growth->advance, scene.tip_enrichment));
     if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
     if (law.normal_penalty > kStiff * scale[k])
       out.push_back(

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "cleft/assembly/intensities.hpp"
 #include "cleft/scene/run.hpp"
@@ -34,8 +35,8 @@ const char* name_of(growth::Stop stop) {
       return "";
     case growth::Stop::Boundary:
       return "boundary";
-    case growth::Stop::Crack:
-      return "crack";
+    case growth::Stop::Hindered:
+      return "hindered";
     case growth::Stop::Most:
       return "most";
   }
@@ -125,7 +126,8 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
   }
   logs_.at("newton.csv").append(rows);
 
-  std::string row = fmt::format("{},{},{},{}", step.number, step.load, step.iterations.size(), step.cuts);
+  std::string row = fmt::format("{},{},{},{}", step.number, step.load,
+                                static_cast<int>(step.iterations.size()) + step.iterations_before, step.cuts);
   for (const Vec2& r : stepper.reactions()) row += fmt::format(",{},{}", r.x(), r.y());
   const auto& e = stepper.state().energies;
   int touching = 0, slipping = 0;
@@ -153,11 +155,12 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
 
 void Results::add_advances(const growth::Step& step) {
   std::string rows;
+  double released = step.released;  // in the first row of a step, so that the column adds up
   for (const auto& a : step.advances)
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number, step.load,
-                   scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(), a.length,
-                   degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
-                   a.demand.intensities.K_II, a.demand.measure, step.released, name_of(a.stop));
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
+                   step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(),
+                   a.length, degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
+                   a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop));
   logs_.at("growth.csv").append(rows);
 }
 
@@ -175,9 +178,13 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
   const int number =
       static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
   const auto& u = stepper.state().displacement;
+  // ParaView shows one state at a time: those after growth at the same load follow a crumb later
+  constexpr double kCrumb = 1e-9, kSame = 1e-6;
+  const double last = outputs_.empty() ? -1.0 : outputs_.back().load;
+  const double time = std::fabs(load - last) < kSame ? last + kCrumb : load;
   const auto add = [&](int part, const std::string& file, const VtuGrid& grid) {
     write_atomically(path(file), vtu_text(grid));
-    outputs_.push_back({load, part, file});
+    outputs_.push_back({time, part, file});
   };
   add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(stepper.model(), stepper.state()));
   if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), u, points));

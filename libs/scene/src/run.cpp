@@ -149,12 +149,12 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
 
 std::string remark_on(const growth::Advance& a, const Scene& scene, double load) {
   const std::string tip =
-      fmt::format("crack '{}', {} point", scene.cracks[a.tip.crack].name, a.tip.end == 0 ? "first" : "last");
+      fmt::format("crack '{}', {}", scene.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
   if (a.length == 0.0) return fmt::format("{}: no advance at load {:.6g}: {}", tip, load, a.hindrance);
   std::string out = fmt::format("{}: advance {} at load {:.6g} to ({:.6g}, {:.6g}), turned by {:.1f} degrees", tip,
                                 a.number, load, a.point.x(), a.point.y(), a.turn * 180.0 / std::numbers::pi);
   if (a.stop == growth::Stop::Boundary) out += "; it cuts through the boundary";
-  if (a.stop == growth::Stop::Crack) out += "; no farther: " + a.hindrance;
+  if (a.stop == growth::Stop::Hindered) out += "; no farther: " + a.hindrance;
   return out;
 }
 
@@ -213,17 +213,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   const auto keep = [&] {
     const auto& stepper = evolution.stepper();
-    const Checkpoint now{scene_hash(scene),
-                         stepper.state(),
-                         stepper.place(),
-                         stepper.assembler().room(),
-                         evolution.record(),
-                         result.iterations,
-                         result.cuts,
-                         result.worst_residual,
-                         kept.seconds + clock.seconds(),
-                         results.log_bytes(),
-                         results.outputs()};
+    const Checkpoint now{
+        scene_hash(scene), stepper.state(), stepper.place(),       stepper.assembler().room(),     evolution.record(),
+        result.iterations, result.cuts,     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(),
+        results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
   if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
@@ -242,7 +235,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     const auto& step = std::get<growth::Step>(outcome);
     const RunResult saved = result;
     result.increments = step.number;
-    result.iterations += static_cast<long>(step.iterations.size());
+    result.iterations += static_cast<long>(step.iterations.size()) + step.iterations_before;
     result.cuts += step.cuts;
     result.worst_residual = std::max(result.worst_residual, step.left.residual);
     auto residuals = step.iterations;
@@ -269,6 +262,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
       for (const auto& advance : step.advances) options.remark(remark_on(advance, scene, step.load));
   }
 
+  for (const auto& tips : evolution.record().tips) result.advances += tips[0].advances + tips[1].advances;
   const auto& surfaces = evolution.model().surfaces;
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
@@ -276,16 +270,17 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.yardstick = solver.factorise + solver.solve;
   const auto assembly = evolution.assembly_seconds();
   const auto evaluations = static_cast<double>(std::max(1L, assembly.assemblies));
-  result.bulk_microseconds = 1e6 * assembly.bulk / (evaluations * static_cast<double>(evolution.model().material_points()));
+  result.bulk_microseconds =
+      1e6 * assembly.bulk / (evaluations * static_cast<double>(evolution.model().material_points()));
   if (!surfaces.points.empty())
     result.contact_microseconds = 1e6 * assembly.contact / (evaluations * static_cast<double>(surfaces.points.size()));
   result.peak_megabytes = peak_megabytes();
   result.seconds = clock.seconds();
   try {
-    write_atomically(
-        results.path("run.json"),
-        summary(scene, evolution, result, seconds).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-            "\n");
+    write_atomically(results.path("run.json"),
+                     summary(scene, evolution, result, seconds)
+                             .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                         "\n");
   } catch (const std::runtime_error& error) {
     result.end = RunResult::End::NotWritten;
     result.unwritten = error.what();

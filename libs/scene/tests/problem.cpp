@@ -25,7 +25,8 @@ struct Fault {
 };
 
 TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
-  const char* const points = "points = [[0.0, 0.01833], [0.0349, 0.05323]]";
+  const char *const points = "points = [[0.0, 0.01833], [0.0349, 0.05323]]",
+                    *const contact = "contact = { normal_penalty = 2.0e12 }";
   const Fault faults[] = {
       {"on = \"top\"", "box = [1.0, 1.0, 2.0, 2.0]", "boundary[1].box", "no node lies in the box", "box = [1.0"},
       {points, "points = [[1.0, 1.0], [2.0, 2.0]]", "crack[0] 'main'", "lies outside of the body", "[[crack]]"},
@@ -38,6 +39,10 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
        "solution ="},
       {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = [0.03, 0.02]\namplitude = 1e14", "crack[0].amplitude",
        "too long for this mesh", "[[crack]]"},
+      {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 1e-6 }",
+       "crack[0].growth.radius", "no element has its centre within", "growth ="},
+      {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 0.01, tips = \"start\" }",
+       "crack[0].growth.tips", "none of these ends lies inside the body", "growth ="},
       {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "field", "there is no field 'wafes'", "field = \"wafes\""},
   };
   for (const auto& [from, to, key, problem, mark] : faults) {

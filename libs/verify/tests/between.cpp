@@ -14,8 +14,7 @@ struct Plain {
   growth::Evolution body;
   explicit Plain(std::initializer_list<std::string> overrides)
       : Plain(scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/plain.toml", overrides)) {}
-  explicit Plain(const scene::Scene& scene)
-      : body(scene::make_evolution(scene, scene::build_model(scene))) {}
+  explicit Plain(const scene::Scene& scene) : body(scene::make_evolution(scene, scene::build_model(scene))) {}
 };
 
 std::vector<double> loads(Plain& run, int states) {

@@ -19,8 +19,7 @@ struct Subject {
   Subject(const std::string& scene, const std::vector<std::string>& overrides)
       : Subject(
             scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/" + scene + ".toml", overrides)) {}
-  explicit Subject(const scene::Scene& scene)
-      : body(scene::make_evolution(scene, scene::build_model(scene))) {}
+  explicit Subject(const scene::Scene& scene) : body(scene::make_evolution(scene, scene::build_model(scene))) {}
   const assembly::Model& model() const { return body.model(); }
   const assembly::State& state() const { return body.stepper().state(); }
 

@@ -17,6 +17,7 @@ using ContactRoom = std::vector<std::vector<Index>>;
 struct AssemblySeconds {
   double bulk = 0.0, contact = 0.0, pattern = 0.0;
   long assemblies = 0;
+  AssemblySeconds& operator+=(const AssemblySeconds& other);
 };
 
 /// Evaluates the internal force and its exact derivative at given displacements, into a matrix whose pattern is kept

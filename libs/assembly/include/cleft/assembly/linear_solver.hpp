@@ -14,6 +14,7 @@ enum class Factorisation { Unsymmetric, Symmetric };
 struct SolverSeconds {
   double analyse = 0.0, factorise = 0.0, solve = 0.0;
   long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
+  SolverSeconds& operator+=(const SolverSeconds& other);
 };
 
 /// What a factorisation found: a matrix that is not finite or exactly singular has no factors; one that is singular but

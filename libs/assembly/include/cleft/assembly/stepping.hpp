@@ -24,8 +24,9 @@ struct StepControls {
 struct Step {
   int number = 0;  ///< from 1
   double load = 0.0;
-  bool is_output = false;  ///< at one of the outputs, for the first time
-  int cuts = 0;            ///< attempts that failed before it converged
+  bool is_output = false;     ///< at one of the outputs, for the first time
+  int cuts = 0;               ///< attempts that failed before it converged
+  int iterations_before = 0;  ///< of the parts by which a body was brought into balance (LoadStepper::settle)
   std::vector<Iteration> iterations;
   Iteration left;  ///< residual after the last correction, with no correction of its own
 };
@@ -64,14 +65,12 @@ class LoadStepper {
 
   /// Equilibrium at the present load, for a state that is not in balance because new faces have been cut through it.
   /// What these transmit is taken away at once or, where that fails, bit by bit; the energy set free is counted in
-  /// Energies::released.
+  /// Energies::released. After a failure the state is somewhere on the way.
   std::variant<Step, Failure> settle(const IterationObserver& observer = {});
 
   const Model& model() const { return model_; }
   const State& state() const { return state_; }
-  Equilibrium equilibrium() const {
-    return {model_, state_.load, state_.displacement, state_.history.plastic, pairs_};
-  }
+  Equilibrium equilibrium() const { return {model_, state_.load, state_.displacement, state_.history.plastic, pairs_}; }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   /// Pairs of the last converged increment, with tractions and gaps; memory in `state()` is already that of the next.
   const std::vector<contact::Pair>& pairs() const { return pairs_; }

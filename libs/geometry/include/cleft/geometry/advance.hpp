@@ -7,12 +7,8 @@
 
 namespace cleft::geometry {
 
-/// How far a segment that starts inside a body gets.
-struct Reach {
-  Vec2 point;                ///< metres: where it leaves the body first, or its end
-  bool at_boundary = false;  ///< it does leave
-};
-Reach reach(const Mesh& mesh, const Vec2& from, const Vec2& to);
+/// How far a segment that starts inside a body gets: where it leaves the body first, or its end; metres.
+Vec2 reach(const Mesh& mesh, const Vec2& from, const Vec2& to);
 
 /// The crack with one more point at its first (0) or last (1) end. Arc lengths of the old points stay.
 Crack extended(Crack crack, int end, const Vec2& point);

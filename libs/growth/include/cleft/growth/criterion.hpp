@@ -20,7 +20,7 @@ struct TipName {
 
 /// What a body asks of a tip.
 struct Demand {
-  double measure = 0.0;      ///< over what the material bears: the tip advances at 1
+  double measure = 0.0;      ///< over what the material bears: the tip advances at 1; not a number: no answer
   Vec2 ahead{1.0, 0.0};      ///< unit vector, in the reference configuration: the way that it would take
   double stress = kUnknown;  ///< Pa: largest principal value of the mean Cauchy stress (Rankine)
   enrichment::Intensities intensities{kUnknown, kUnknown};  ///< Pa m^(1/2) (maximum hoop stress)
@@ -39,7 +39,10 @@ struct Rankine {
   double strength = 0.0;  ///< Pa
   double radius = 0.0;    ///< metres
 
-  /// The measure is not a number where no material point lies within the radius.
+  /// Why the measure may be no number, and what to try.
+  static constexpr const char* kNoAnswer = "no part of an element lies within the radius of the tip";
+  static constexpr const char* kAdvice = "a larger growth.radius, or a finer mesh where the crack grows";
+
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
 };
 
@@ -51,7 +54,10 @@ struct Rankine {
 struct HoopStress {
   double toughness = 0.0;  ///< K_c, Pa m^(1/2)
 
-  /// The tip must have a ball (geometry::TipBall).
+  static constexpr const char* kNoAnswer = "the ball of the tip holds too little of the faces for its intensities";
+  static constexpr const char* kAdvice = "a larger formulation.tip_enrichment, or a finer mesh where the crack grows";
+
+  /// The tip must have a ball (geometry::TipBall), and this lie within the body.
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
 };
 
@@ -60,10 +66,10 @@ using Criterion = std::variant<Rankine, HoopStress>;
 /// How a crack grows.
 struct Law {
   Criterion criterion;
-  double advance = 0.0;                ///< length of one advance, metres, in the reference configuration
-  int most = 1000;                     ///< advances of each tip
+  double advance = 0.0;                  ///< length of one advance, metres, in the reference configuration
+  int most = 1000;                       ///< advances of each tip
   std::array<bool, 2> tips{true, true};  ///< which ends may grow: the first, the last
-  double load_tolerance = 1e-4;        ///< of the load at which a tip begins to advance
+  double load_tolerance = 1e-4;          ///< of the load at which a tip begins to advance
 };
 
 /// Angle by which a tip of given intensities turns, radians, to the left; and the intensity of mode I that opens it as

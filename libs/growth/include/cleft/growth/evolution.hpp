@@ -13,7 +13,7 @@
 namespace cleft::growth {
 
 /// Why a tip grows no more.
-enum class Stop : std::uint8_t { None, Boundary, Crack, Most };
+enum class Stop : std::uint8_t { None, Boundary, Hindered, Most };
 
 /// An advance that is due.
 struct Due {
@@ -62,7 +62,8 @@ struct Step : assembly::Step {
 /// again. Without a law this is a LoadStepper and no more.
 ///
 /// An advance ends at the boundary of the body, which is then cut through. One that would meet a crack, or cut elements
-/// that another crack cuts, is tried at half and a quarter of its length and is the tip's last.
+/// that another crack cuts, or wind too tightly for the mesh, is tried at half and a quarter of its length and is the
+/// tip's last.
 class Evolution {
  public:
   /// The same body with other cracks: as many of them, longer than those of the first model. Throws InputError.
@@ -97,13 +98,13 @@ class Evolution {
     double largest = 0.0;
   };
   Judged judge(const assembly::Equilibrium& body) const;
+  std::optional<assembly::Failure> no_answer(const Judged& judged) const;
   bool may_grow(const TipName& tip) const;
   double tolerance() const;
   std::variant<Step, assembly::Failure> increase(const assembly::IterationObserver& observer);
   std::variant<Step, assembly::Failure> grow(const assembly::IterationObserver& observer);
   Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
-  void cut_anew(const std::vector<geometry::Crack>& cracks, assembly::State state, assembly::StepPlace place,
-                std::optional<assembly::ContactRoom> room);
+  void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper);
 
   assembly::StepControls controls_;
   std::vector<std::optional<Law>> laws_;

@@ -87,6 +87,7 @@ struct CrackSpec {
   bool intensities = false;  ///< whether the stress intensity factors of its tips are asked for
   std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
   std::optional<growth::Law> growth;                         ///< none: the crack stays as it is
+  Location growth_at;
 };
 
 /// Piecewise linear factor of the load, constant beyond its ends.

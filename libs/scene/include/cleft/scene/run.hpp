@@ -38,6 +38,7 @@ struct RunResult {
   std::string unwritten;      ///< with End::NotWritten: path and reason
   double load = 0.0;
   long increments = 0, iterations = 0, cuts = 0;
+  long advances = 0;  ///< of all tips
   double worst_residual = 0.0;
   double newton_order = 0.0;  ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;

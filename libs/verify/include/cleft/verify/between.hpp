@@ -18,8 +18,9 @@ struct StateBetween {
 };
 
 /// Takes the run to its end and stops on the way in `states` increments, evenly over the load (in fewer if the run has
-/// fewer), and wherever cracks have grown, on the way from the state that they were cut through. Ends early where `visit` returns false. Where the run fails it stops once more, part of the way along the
-/// first correction of an increment from what converged last, and returns the failure.
+/// fewer), and wherever cracks have grown, on the way from the state that they were cut through. Ends early where
+/// `visit` returns false. Where the run fails it stops once more, part of the way along the first correction of an
+/// increment from what converged last, and returns the failure.
 [[nodiscard]] std::optional<assembly::Failure> visit_between(growth::Evolution& body, int states,
                                                              const std::function<bool(const StateBetween&)>& visit);
 
