@@ -134,6 +134,21 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   table.compare("tangent's worst entry", report.worst(), exact(0.0), within(1e-8, "rounding of differences"));
 }
 
+TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
+  const auto first = [](const Solved& run) {
+    const auto rows = advances_of(run);
+    return rows.empty() ? 2.0 : number(rows[0], "load");
+  };
+  const double little = first(solve("wing_crack", {"loading.steps=20"})),
+               some = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.3"})),
+               much = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.6"}));
+  EXPECT_GT(much, 1.0);
+  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see verification/README.md
+  const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
+  EXPECT_GT(some / little, tension(0.1) / tension(0.3));
+  EXPECT_LT(some, 0.4);
+}
+
 // A closed crack that slides has mode II only, whose largest hoop stress is at acos(1/3) from it.
 TEST(WingCrack, FirstKinkOfTheHoopStressIsThatOfModeTwo) {
   Case table("wing crack, hoop stress");
