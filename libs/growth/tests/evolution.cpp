@@ -180,7 +180,8 @@ TEST(Evolution, SetsFreeTheDifferenceOfTwoStationaryCracks) {
                  after = energy_of({geometry::extended(square.cracks[0], advance.tip.end, advance.point)});
     const auto first = std::ranges::find_if(run.steps, [](const Step& step) { return !step.advances.empty(); });
     ASSERT_EQ(first->advances.size(), 1u);
-    EXPECT_NEAR(first->released, before - after, 2e-4 * first->released);  // pressure works on sloping faces, too
+    const double tolerance = square.friction > 0.0 ? 1e-6 : 2e-4;  // closed: pressure works on sloping faces, too
+    EXPECT_NEAR(first->released, before - after, tolerance * first->released);
   }
 }
 
