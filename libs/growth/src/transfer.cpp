@@ -1,7 +1,6 @@
 #include "cleft/growth/transfer.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "material_places.hpp"
 #include "old_faces.hpp"

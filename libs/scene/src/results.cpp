@@ -179,9 +179,9 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
       static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
   const auto& u = stepper.state().displacement;
   // ParaView shows one state at a time: those after growth at the same load follow a crumb later
-  constexpr double kCrumb = 1e-9, kSame = 1e-6;
-  const double last = outputs_.empty() ? -1.0 : outputs_.back().load;
-  const double time = std::fabs(load - last) < kSame ? last + kCrumb : load;
+  constexpr double kCrumb = 1e-9;
+  const bool grown = !step.advances.empty() && !outputs_.empty();
+  const double time = grown ? std::max(load, outputs_.back().load + kCrumb) : load;
   const auto add = [&](int part, const std::string& file, const VtuGrid& grid) {
     write_atomically(path(file), vtu_text(grid));
     outputs_.push_back({time, part, file});

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cleft/scene/checkpoint.hpp"
 #include "cleft/scene/files.hpp"
 #include "scenes.hpp"
 
@@ -86,6 +87,10 @@ outputs = [1.0]
   } while (result.end == RunResult::End::Stopped);
   ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
   EXPECT_EQ(read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
+  const std::string path = folder / "whole" + "/checkpoint";
+  const auto shown = checkpoint_from(read_bytes(path), path).outputs;
+  for (std::size_t k = 2; k < shown.size(); k += 2)  // the body and its faces are two parts of one state
+    EXPECT_GT(shown[k].load, shown[k - 2].load) << "a time of its own for each state";
   for (const char* file : {"history.csv", "growth.csv", "crack_main.csv", "fields.pvd", "fields_0002.vtu"})
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
