@@ -24,6 +24,7 @@ struct Options {
 std::string evidence(const verify::IncrementRate& rate) {
   std::string text = fmt::format("  increment {:4}  load {:8.5f}  order ", rate.step, rate.load);
   text += rate.order ? fmt::format("{}{:.2f}", rate.order->at_least ? ">= " : "", rate.order->order) : "-";
+  if (!rate.order && rate.at_unit_scale) text += fmt::format(" (at unit scale {:.2f})", *rate.at_unit_scale);
   text += "   residual/gradient of the correction";
   for (const auto& it : rate.iterations)
     text += fmt::format(" {:.1e}/{:.1e}{}", it.residual, it.gradient,
@@ -35,9 +36,11 @@ void print(const verify::RateVerdict& v, const Options& options) {
   fmt::print("increments {}, judged {}", v.increments, v.judged);
   if (v.judged > 0)
     fmt::print(
-        " ({} by a lower bound), order {:.4g} or more in {} of them\norder: lowest {:.2f}, quartiles {:.2f}, {:.2f}, "
+        " ({} by a lower bound, {} by two corrections), order {:.4g} or more in {} of them\norder: lowest {:.2f}, "
+        "quartiles {:.2f}, {:.2f}, "
         "{:.2f}, highest {:.2f}",
-        v.bounds, options.required.order, v.reach, v.orders[0], v.orders[1], v.orders[2], v.orders[3], v.orders[4]);
+        v.bounds, v.scaled, options.required.order, v.reach, v.orders[0], v.orders[1], v.orders[2], v.orders[3],
+        v.orders[4]);
   fmt::print("\n");
   if (!v.missed.empty()) fmt::print("below the order (* after a change of partner or status):\n");
   for (const auto& rate : v.missed) fmt::print("{}\n", evidence(rate));

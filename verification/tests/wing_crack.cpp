@@ -57,7 +57,7 @@ TEST(WingCrack, EachTipAdvancesFourTimesAndTheWingsOpen) {
     ASSERT_EQ(own.size(), 4U) << tip;
     EXPECT_EQ(own.back().at("stop"), "most");
     table.compare(fmt::format("first turn of the {}, degrees", tip), number(own[0], "turn"), exact(45.0),
-                  within(3.0, "the mean over a ball has shear of mode II only; tips end at edges"));
+                  within(5.0, "shear of mode II only, but for what the held ends add"));
     for (const auto& row : own)
       table.compare(fmt::format("{} {} off the axis of compression, degrees", tip, row.at("advance")), off_axis(row),
                     exact(0.0), within(5.0, "wings lead along the load; elements of 0.6 of an advance"));
@@ -86,11 +86,11 @@ TEST(WingCrack, EachTipAdvancesFourTimesAndTheWingsOpen) {
   EXPECT_GT(pressed, 20);
   EXPECT_EQ(slipped, pressed);
 
-  const double before = stiffness(run, 0.02, 0.16), after = stiffness(run, 0.74, 0.98);
+  const double before = stiffness(run, 0.02, 0.32), after = stiffness(run, 0.36, 0.84);
   EXPECT_GT(before, 0.0);
   EXPECT_LT(after, before) << "the paper: slightly degraded by growth";
   EXPECT_GT(after, 0.95 * before);
-  EXPECT_LT(stiffness(run, 0.16, 0.22), 0.9 * before) << "in the increments of growth the reaction drops";
+  EXPECT_LT(stiffness(run, 0.32, 0.36), 0.5 * before) << "in the increments of growth the reaction drops";
   EXPECT_EQ(number(rows[0], "load"), number(rows[3], "load")) << "several advances at one load";
   const auto& e = run.result.energies;
   EXPECT_GT(e.released, 0.0);
@@ -113,10 +113,11 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   Case table("wing crack, iterations");
   const Solved run = solve(verify::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
   const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
-  EXPECT_GE(verdict.judged, 15U);  // the others are through before three errors show an order
+  EXPECT_TRUE(verdict.enough);
   table.compare("share of the increments of order 1.8 or more",
                 static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
                 within(0.1, "three errors show an order only about"));
+  EXPECT_GE(verdict.lowest(), 1.5);
   EXPECT_EQ(run.result.cuts, 0);
 
   verify::TangentReport report;
@@ -134,6 +135,25 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   table.compare("tangent's worst entry", report.worst(), exact(0.0), within(1e-8, "rounding of differences"));
 }
 
+// The mean over a disc of fixed radius has a limit; so has the load at which it reaches the strength. Tension and
+// pressure nearly cancel in it, so that its own error counts eight times in the load. All four advances:
+// verification/README.md.
+TEST(WingCrack, LoadOfTheFirstAdvanceConverges) {
+  Case table("wing crack, 25, 50 and 100 cells");
+  std::vector<double> first;
+  for (const auto& [cells, down] : {std::pair{25, 0.0096}, {50, 0.0081}, {100, 0.0078}}) {  // to just beyond it
+    const Solved run =
+        solve("wing_crack", {fmt::format("mesh.cells=[{0},{0}]", cells), "formulation.tip_enrichment=0.06",
+                             "loading.steps=4", fmt::format("boundary.top.uy={}", -down), "crack.main.growth.most=1"});
+    const auto own = of_tip(advances_of(run), "end");
+    ASSERT_EQ(own.size(), 1U);
+    first.push_back(down * number(own[0], "load"));
+  }
+  EXPECT_LT(std::fabs(first[2] - first[1]), 0.5 * std::fabs(first[1] - first[0])) << "of first order at least";
+  table.compare("first load, 50 over 100 cells", first[1] / first[2], exact(1.0),
+                within(0.05, "eight errors of 0.6 %"));
+}
+
 TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
   const auto first = [](const Solved& run) {
     const auto rows = advances_of(run);
@@ -146,7 +166,7 @@ TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
   // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see verification/README.md
   const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
   EXPECT_GT(some / little, tension(0.1) / tension(0.3));
-  EXPECT_LT(some, 0.4);
+  EXPECT_LT(some, 1.0);
 }
 
 // A closed crack that slides has mode II only, whose largest hoop stress is at acos(1/3) from it.
@@ -170,6 +190,25 @@ TEST(WingCrack, FirstKinkOfTheHoopStressIsThatOfModeTwo) {
   }
   table.compare("load of the first advance, 30 over 60 cells", loads[0] / loads[1], exact(1.0),
                 within(0.02, "error of the intensity"));
+}
+
+// Where advances are short beside the length (K_I/T)^2 over which a turn is made good, the path is smooth: first
+// further away from the axis, to where K_II vanishes, then steadily back to it.
+TEST(WingCrack, WingsOfTheHoopStressTurnSteadilyToTheLoad) {
+  Case table("wing crack, hoop stress, short advances");
+  const Solved run =
+      solve("wing_crack", {"mesh.cells=[80,80]", "mesh.focus={box=[0.60,0.66,0.74,0.88],share=0.7}", "loading.steps=10",
+                           "formulation.tip_enrichment=0.01", "boundary.top.uy=-0.006",
+                           "crack.main.growth={criterion='hoop-stress',toughness=1e7,tips='end',advance=0.01}",
+                           "crack.main.growth.most=10", "crack.main.growth.load_tolerance=1e-3"});
+  const auto own = of_tip(advances_of(run), "end");
+  ASSERT_GE(own.size(), 9U);
+  for (std::size_t k = 4; k < own.size(); ++k) {
+    EXPECT_LT(number(own[k], "turn"), 0.0) << "advance " << k + 1;
+    EXPECT_GT(number(own[k], "angle"), kToCompression) << "advance " << k + 1;
+  }
+  table.compare("K_II over K_I at the last advance", number(own.back(), "k2") / number(own.back(), "k1"), exact(0.0),
+                within(0.05, "a curved wing, by straight pieces"));
 }
 
 }  // namespace

@@ -9,6 +9,9 @@ namespace {
 // A correction that the next one undercuts this many times is none of rounding.
 constexpr double kFalls = 10.0;
 
+// A displacement gradient of a correction below which its square is small against it.
+constexpr double kSmallGradient = 0.1;
+
 // From the first iteration after the last change of the contact to the last one that made a correction.
 std::span<const Iteration> settled(std::span<const Iteration> all) {
   std::size_t first = 0, end = 0;
@@ -42,6 +45,14 @@ std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> ite
   if (clear < 2 || its.size() == 2) return std::nullopt;
   const auto bound = std::max(order_of(its.data(), &Iteration::gradient), order_of(its.data(), &Iteration::correction));
   return bound ? std::optional(ConvergenceOrder{*bound, true}) : std::nullopt;
+}
+
+std::optional<double> order_at_unit_scale(std::span<const Iteration> iterations) {
+  const auto its = settled(iterations);
+  if (its.size() < 2 || its[0].residual <= its[0].rounding) return std::nullopt;
+  const double first = its[0].gradient, second = its[1].gradient;
+  if (!(first < kSmallGradient && second < first && second > 0.0)) return std::nullopt;
+  return std::log(second) / std::log(first);
 }
 
 }  // namespace cleft::assembly

@@ -120,6 +120,21 @@ TEST(ConvergenceOrder, IsNotGuessed) {
       << "the first step lost ground";
 }
 
+TEST(OrderAtUnitScale, IsThatOfTheFirstTwoCorrectionsOfTheSettledContact) {
+  EXPECT_NEAR(*order_at_unit_scale(iterations({{1, 1e-2, 3}, {1e-2, 1e-3, 1}, {1e-6, 1e-6, 0}, {1e-14, 0, 0}})), 2.0,
+              1e-12);
+  EXPECT_NEAR(*order_at_unit_scale(iterations({{1, 1e-3, 0}, {1e-4, 1e-4, 0}, {1e-5, 1e-5, 0}})), 4.0 / 3.0, 1e-12)
+      << "linear";
+}
+
+TEST(OrderAtUnitScale, IsUnknownWhereTheFirstCorrectionTellsNothing) {
+  EXPECT_FALSE(order_at_unit_scale({}));
+  EXPECT_FALSE(order_at_unit_scale(iterations({{1, 1e-3, 0}, {1e-14, 0, 0}}))) << "one correction";
+  EXPECT_FALSE(order_at_unit_scale(iterations({{1, 0.5, 0}, {1e-1, 0.2, 0}, {1e-2, 1e-2, 0}}))) << "large";
+  EXPECT_FALSE(order_at_unit_scale(iterations({{1e-2, 1e-3, 0}, {1e-1, 1e-2, 0}, {1e-2, 1e-3, 0}}))) << "grew";
+  EXPECT_FALSE(order_at_unit_scale(iterations({{5e-14, 1e-12, 0}, {5e-14, 1e-15, 0}, {5e-14, 0, 0}}))) << "rounding";
+}
+
 TEST(Newton, MakesTheCorrectionsThatAreAskedForAtLeast) {
   const Model model = models::block(8, NegativeSide::Left);
   StepControls controls;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "cleft/assembly/model.hpp"
+#include "cleft/geometry/disc.hpp"
 
 namespace cleft::growth {
 
 /// Centre of the part of the body that a material point stands for, metres: of a triangle, of one side of a cut one, or
 /// the point itself in the ball of a tip.
 Vec2 place_of(const assembly::Model& model, Index point);
+
+/// Area of what a material point stands for within a disc, m^2; the points in the ball of a tip count whole or not.
+double area_within(const geometry::Disc& disc, const assembly::Model& model, Index point);
 
 }  // namespace cleft::growth

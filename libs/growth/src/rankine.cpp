@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "cleft/assembly/patches.hpp"
@@ -9,13 +10,14 @@
 namespace cleft::growth {
 namespace {
 
-// Calls visit(point, weight) for the material points within a radius of a tip.
+// Calls visit(point, area, weight) for the material points with an area within a radius of a tip; weight is their
+// whole.
 template <class Visit>
 void around(const assembly::Model& m, const TipName& tip, double radius, const Visit& visit) {
-  const Vec2 centre = geometry::tip_of(m.cracks[tip.crack], tip.end).point;
+  const geometry::Disc disc{geometry::tip_of(m.cracks[tip.crack], tip.end).point, radius};
   assembly::for_each_material_point(m, [&](std::size_t p, const auto&, double weight) {
-    const auto point = static_cast<Index>(p);
-    if ((place_of(m, point) - centre).squaredNorm() <= radius * radius) visit(point, weight);
+    const double area = area_within(disc, m, static_cast<Index>(p));
+    if (area > 0.0) visit(static_cast<Index>(p), area, weight);
   });
 }
 
@@ -32,22 +34,25 @@ Principal largest_principal(const Mat2& s) {
 
 }  // namespace
 
-long points_around(const assembly::Model& model, const TipName& tip, double radius) {
-  long count = 0;
-  around(model, tip, radius, [&](Index, double) { ++count; });
-  return count;
+bool spans_elements(const assembly::Model& model, const TipName& tip, double radius) {
+  double within = 0.0, largest = 0.0;
+  around(model, tip, radius, [&](Index, double area, double weight) {
+    within += area;
+    largest = std::max(largest, weight);
+  });
+  return within > largest;
 }
 
 Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) const {
   const auto& m = body.model;
   double area = 0.0;
   Mat2 stress = Mat2::Zero(), deformation = Mat2::Zero();
-  around(m, tip, radius, [&](Index p, double weight) {
+  around(m, tip, radius, [&](Index p, double within, double) {
     const Mat2 F = assembly::material_deformation(m, p, body.displacement);
     const auto& remembered = body.plastic.empty() ? constitutive::PlasticState{} : body.plastic[p];
-    area += weight;
-    stress += weight * assembly::stress_of(m.material(p), F, remembered).in_plane;
-    deformation += weight * F;
+    area += within;
+    stress += within * assembly::stress_of(m.material(p), F, remembered).in_plane;
+    deformation += within * F;
   });
   Demand out;
   if (area == 0.0) {

@@ -188,10 +188,11 @@ void refuse_idle_growth(const Scene& scene, const assembly::Model& m) {
     for (const int end : {0, 1}) {
       if (!law->tips[end] || m.cut.cracks[c].ends[end].kind != geometry::CrackEnd::Kind::Tip) continue;
       ++tips;
-      if (rankine && growth::points_around(m, {c, end}, rankine->radius) == 0)
-        throw InputError(at, fmt::format("crack[{}].growth.radius", c),
-                         "no element has its centre within the radius of a tip; allowed: a larger radius, or a finer "
-                         "mesh");
+      if (rankine && !growth::spans_elements(m, {c, end}, rankine->radius))
+        throw InputError(
+            at, fmt::format("crack[{}].growth.radius", c),
+            "the disc of this radius around a tip is smaller than an element; allowed: a larger radius, or a "
+            "finer mesh");
     }
     if (tips == 0)
       throw InputError(at, fmt::format("crack[{}].growth.tips", c),

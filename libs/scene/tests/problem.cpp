@@ -40,7 +40,7 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
       {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = [0.03, 0.02]\namplitude = 1e14", "crack[0].amplitude",
        "too long for this mesh", "[[crack]]"},
       {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 1e-6 }",
-       "crack[0].growth.radius", "no element has its centre within", "growth ="},
+       "crack[0].growth.radius", "is smaller than an element", "growth ="},
       {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 0.01, tips = \"start\" }",
        "crack[0].growth.tips", "none of these ends lies inside the body", "growth ="},
       {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "field", "there is no field 'wafes'", "field = \"wafes\""},

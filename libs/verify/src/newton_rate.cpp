@@ -24,7 +24,7 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
   std::vector<IncrementRate> rates;
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (rates.empty() || rates.back().step != static_cast<int>(step[k]))
-      rates.push_back({static_cast<int>(step[k]), load[k], {}, {}});
+      rates.push_back({static_cast<int>(step[k]), load[k], {}, {}, {}});
     assembly::Iteration it;
     it.residual = residual[k];
     it.rounding = rounding[k];
@@ -35,7 +35,10 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
     it.status_changes = static_cast<int>(status[k]);
     rates.back().iterations.push_back(it);
   }
-  for (auto& rate : rates) rate.order = assembly::convergence_order(rate.iterations);
+  for (auto& rate : rates) {
+    rate.order = assembly::convergence_order(rate.iterations);
+    rate.at_unit_scale = assembly::order_at_unit_scale(rate.iterations);
+  }
   return rates;
 }
 
@@ -46,7 +49,13 @@ RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement
   for (const auto& rate : rates) {
     const bool reaches = rate.order && rate.order->order >= required.order;
     if (!reaches && (!rate.order || rate.order->at_least)) {
-      out.unjudged.push_back(rate);
+      if (rate.at_unit_scale && *rate.at_unit_scale >= required.order) {
+        orders.push_back(*rate.at_unit_scale);
+        ++out.reach;
+        ++out.scaled;
+      } else {
+        out.unjudged.push_back(rate);
+      }
       continue;
     }
     orders.push_back(rate.order->order);

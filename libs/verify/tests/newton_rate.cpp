@@ -32,6 +32,19 @@ TEST(JudgeRates, CountsOrdersAndBoundsThatReachWhatIsRequired) {
   EXPECT_TRUE(v.holds);
 }
 
+// What is known of the order goes first; two corrections only help where it leaves the question open, and never fail.
+TEST(JudgeRates, TakesTwoCorrectionsWhereNoOrderIsKnown) {
+  auto known = rate(1.6), bound = rate(1.2, true), none = IncrementRate{}, slow = IncrementRate{};
+  known.at_unit_scale = bound.at_unit_scale = none.at_unit_scale = 2.0;
+  slow.at_unit_scale = 1.4;
+  const auto v = judge({rate(2.0), known, bound, none, slow}, {});
+  EXPECT_EQ(v.judged, 4u);
+  EXPECT_EQ(v.reach, 3u);
+  EXPECT_EQ(v.scaled, 2u);
+  EXPECT_EQ(v.missed.size(), 1u);
+  EXPECT_EQ(v.unjudged.size(), 1u);
+}
+
 TEST(JudgeRates, GivesTheQuartilesOfTheOrders) {
   const auto v = judge({rate(2.4), rate(1.8), rate(2.0), rate(1.9), rate(2.1), rate(1.0, true)}, {});
   EXPECT_EQ(v.orders, (std::array{1.8, 1.9, 2.0, 2.1, 2.4}));

@@ -81,6 +81,12 @@ struct ConvergenceOrder {
 /// first error, that of the extrapolation, is smooth, the later ones sit at the tip and at the contact's ends.
 std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations);
 
+/// The order p that two corrections show by themselves, g2 = g1^p, of the first two from where the contact has settled:
+/// what a linearisation leaves out is the square of a displacement gradient g times a factor of order one. Smaller than
+/// the true order where that factor is larger, and blind to errors of the tangent below g1, so that it only tells what
+/// the other leaves open. Nothing if the first is not small or at the level of rounding, or the second no smaller.
+std::optional<double> order_at_unit_scale(std::span<const Iteration> iterations);
+
 /// Size of a residual that rounding alone may leave, N/m (2-norm): in the bulk, and in the springs of the contact.
 struct RoundingFloor {
   double bulk = 0.0, contact = 0.0;

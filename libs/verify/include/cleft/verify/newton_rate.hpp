@@ -18,6 +18,7 @@ struct IncrementRate {
   double load = 0.0;
   std::vector<assembly::Iteration> iterations;  ///< the last one is the residual that was left
   std::optional<assembly::ConvergenceOrder> order;
+  std::optional<double> at_unit_scale;  ///< assembly::order_at_unit_scale
 };
 
 /// Reads newton.csv of a run's folder. Throws std::runtime_error with path and reason.
@@ -29,10 +30,12 @@ struct RateRequirement {
   double least = 1.5;  ///< order that none may fall short of
 };
 
-/// An increment is judged if its order is known, or if its lower bound reaches what is required.
+/// An increment is judged if its order is known, or if a lower bound of it reaches what is required, or else its order
+/// at unit scale does: good iterations are over before three corrections show an order.
 struct RateVerdict {
   std::size_t increments = 0, judged = 0, reach = 0;  ///< those that reach the required order
   std::size_t bounds = 0;                             ///< judged ones of which only a lower bound is known
+  std::size_t scaled = 0;                             ///< judged ones of which only the order at unit scale is known
   std::array<double, 5> orders{};                     ///< of the judged ones: lowest, quartiles with median, highest
   double lowest() const { return orders.front(); }
   std::vector<IncrementRate> missed;  ///< judged and below the required order
