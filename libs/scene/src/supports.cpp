@@ -23,13 +23,22 @@ class Parts {
   std::vector<Index> parent_;
 };
 
+// An unknown that moves a face's start. Where the crack runs through nodes a stencil also lists nodes beyond it, with no
+// weight, which belong to the other side.
+Index mover(const enrichment::Face& face) {
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < face.start.unknown.size(); ++k)
+    if (std::fabs(face.start.weight[k]) > std::fabs(face.start.weight[most])) most = k;
+  return face.start.unknown[most];
+}
+
 Parts parts_of(const assembly::Model& m) {
   Parts parts(m.unknowns.count);
   assembly::for_each_material_point(m, [&](std::size_t, const auto& point, double) {
     for (const Index unknown : point.unknown) parts.join(unknown, point.unknown[0]);
   });
   for (std::size_t f = 0; f + 1 < m.surfaces.faces.size(); f += 2)  // the two faces of a segment
-    parts.join(m.surfaces.faces[f].start.unknown[0], m.surfaces.faces[f + 1].start.unknown[0]);
+    parts.join(mover(m.surfaces.faces[f]), mover(m.surfaces.faces[f + 1]));
   return parts;
 }
 
