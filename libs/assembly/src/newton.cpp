@@ -130,6 +130,27 @@ void tally(const Assembler& assembler, const History& history, Tally& last, Iter
   }
 }
 
+// Contact points may go round in circles: from the state of one iterate the linearised problem leads to that of
+// another, and so on back to the first, however small the increment. Half a correction leaves the circle.
+class Chatter {
+ public:
+  // Whether the correction of this iteration, counted from 0, is to be halved.
+  bool halves(int iteration, const Iteration& it) {
+    const bool slow = it.residual > kSlow * before_;
+    before_ = it.residual;
+    const bool out = iteration >= kPatience && slow && it.status_changes + it.partner_changes > 0;
+    halved_ += out;
+    return out;
+  }
+  int halved() const { return halved_; }
+
+ private:
+  static constexpr int kPatience = 4;   // increments that go well have settled by then
+  static constexpr double kSlow = 0.5;  // times the residual before: what does not converge
+  double before_ = 0.0;
+  int halved_ = 0;
+};
+
 // In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
 bool hides_forces(const RoundingFloor& rounding, double scale) {
   constexpr double kHidden = 1e-3;  // of the forces
@@ -189,6 +210,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   if (model.is_linear()) move_boundary(constraints, target, u, change);
 
   Tally last;
+  Chatter chatter;
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
   for (int i = 0;; ++i) {
@@ -232,7 +254,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
-    if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
+    const int most = controls.max_iterations + std::min(chatter.halved(), controls.max_iterations);
+    if (i == most || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence,
                             fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
@@ -277,6 +300,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
                         "held?)"};
       return out;
     }
+    if (!along_path && chatter.halves(i, it)) du *= 0.5;  // the prescribed components have arrived by then
     u += du;
     move_boundary(constraints, target, u, change);
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();

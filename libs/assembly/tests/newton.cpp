@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "cleft/assembly/stepping.hpp"
+#include "cleft/geometry/delaunay.hpp"
 #include "small_models.hpp"
 
 namespace cleft::assembly {
@@ -174,6 +175,28 @@ TEST(Newton, TightToleranceNeedsNoMoreThanRounding) {
     const auto& step = std::get<Step>(outcome);
     EXPECT_EQ(step.cuts, 0);
     EXPECT_LE(step.left.residual, step.left.rounding);
+  }
+}
+
+// Whole corrections lead a point of the kinked crack from open to stick to slip and back to open, at any load.
+TEST(Newton, LeavesTheCirclesOfChatteringContact) {
+  const std::vector<Vec2> points = {{0.014759754656912785, 0.045191111662018252},
+                                    {0.034727672492621729, 0.064835823018930344},
+                                    {0.056178867885781948, 0.058087144421048981}};
+  constexpr double kSize = 0.008638954473339266;
+  Model m;
+  m.mesh = geometry::delaunay_mesh(geometry::box_outline({0, 0, 0.04, 0.08}),
+                                   {kSize, 0.25, {{points, kSize}, {{points.front()}, kSize}}});
+  m.cracks = {{"main", points}};
+  models::discretise(m, 1.0, 0.277, NegativeSide::Left, 1e10);
+  m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {7.07e-5, -2.4066e-3})};
+  StepControls controls;
+  controls.steps = 4;
+  LoadStepper stepper(m, controls);
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    EXPECT_EQ(std::get<Step>(outcome).cuts, 0);
   }
 }
 

@@ -15,7 +15,7 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int min_iterations = 0;              ///< corrections made even if the residual is small already
-  int max_iterations = 12;
+  int max_iterations = 12;  ///< up to twice as many where contact points chatter
   bool extrapolate = true;  ///< start from the last increment continued
 };
 
@@ -53,7 +53,7 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces.
+/// hides the forces. Where contact points chatter, corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
