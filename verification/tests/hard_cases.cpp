@@ -66,7 +66,8 @@ HardCase kinked_joint(const std::string& name, std::vector<Vec2> points) {
           "vertical force, N/m",
           last_of("fy_top"),
           exact(-0.5 * (stiff + soft)),
-          within(0.5 * (stiff - soft), "bounds by energy: uniform displacement, uniform stress")};
+          within(0.5 * (stiff - soft) * (1.0 + 1e-3),
+                 "bounds by energy: uniform displacement, uniform stress; a thousandth for the iteration")};
 }
 
 std::vector<HardCase> joints() {
