@@ -136,8 +136,8 @@ class Chatter {
  public:
   // Whether the correction of this iteration, counted from 0, is to be halved.
   bool halves(int iteration, const Iteration& it) {
-    const bool slow = it.residual > kSlow * before_;
-    before_ = it.residual;
+    const bool slow = it.residual > kSlow * least_;
+    if (iteration > 0) least_ = std::min(least_, it.residual);  // a body at rest is in balance before it is moved
     const bool out = iteration >= kPatience && slow && it.status_changes + it.partner_changes > 0;
     halved_ += out;
     return out;
@@ -146,8 +146,8 @@ class Chatter {
 
  private:
   static constexpr int kPatience = 4;   // increments that go well have settled by then
-  static constexpr double kSlow = 0.5;  // times the residual before: what does not converge
-  double before_ = 0.0;
+  static constexpr double kSlow = 0.5;  // times the least residual so far: what does not converge
+  double least_ = std::numeric_limits<double>::infinity();
   int halved_ = 0;
 };
 
