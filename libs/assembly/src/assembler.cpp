@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cleft/assembly/patches.hpp"
 #include "cleft/contact/undeformed.hpp"
 #include "cleft/support/timer.hpp"
+#include "places.hpp"
 
 namespace cleft::assembly {
 namespace {
@@ -144,7 +146,10 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
     assemble_contact(history.contact);
     force_ += contact_force_;
   }
-  if (!force_.allFinite()) return Failure{FailureKind::NotFinite, "in the internal force", "smaller increments"};
+  for (Eigen::Index c = 0; c < force_.size(); ++c)
+    if (!std::isfinite(force_[c]))
+      return Failure{FailureKind::NotFinite, "the internal force at " + place_of(model_, static_cast<Index>(c)),
+                     "smaller increments (loading.steps), or moduli, penalties and lengths whose products are numbers"};
   return std::nullopt;
 }
 
@@ -244,8 +249,11 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
   const char* side = !at.side ? "" : *at.side == geometry::Side::Left ? ", left side" : ", right side";
   return Failure{FailureKind::Inverted,
                  fmt::format("element {} at ({:.6g}, {:.6g}){}", at.element, at.reference.x(), at.reference.y(), side),
-                 model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
-                                      : "smaller increments (loading.steps), or a finer mesh there"};
+                 static_cast<std::size_t>(bad) >= model_.cells.size()
+                     ? "smaller loads, or formulation.tip_enrichment = 0: near a tip branch functions turn inside out "
+                       "where strains are large"
+                 : model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
+                                        : "smaller increments (loading.steps), or a finer mesh there"};
 }
 
 void Assembler::add_ties(const VecX& displacement) {

@@ -15,6 +15,10 @@ std::string describe(const Failure& failure) {
         return "a value is not finite";
       case FailureKind::Unloaded:
         return "the path of equilibrium leads back to load 0";
+      case FailureKind::ContactLost:
+        return "faces in contact have passed through each other unseen";
+      case FailureKind::Refused:
+        return "the cracks that have grown cannot be cut";
     }
     return "unknown failure";
   }();

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "places.hpp"
+
 namespace cleft::assembly {
 namespace {
 
@@ -41,10 +43,18 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
   Eigen::Index worst = 0;
   const double most = du.cwiseAbs().maxCoeff(&worst);
   if (most <= bound) return {};
-  const Index node = model.unknowns.node_of[worst / 2];
-  if (node == kNone) return fmt::format("a branch function would move by {:.1e}", most);
-  return fmt::format("node {} at ({:.6g}, {:.6g}) would move by {:.1e} m", node, model.mesh.nodes[node].x(),
-                     model.mesh.nodes[node].y(), most);
+  return fmt::format("{} would move by {:.1e} m", place_of(model, static_cast<Index>(worst)), most);
+}
+
+// What an iteration that does not converge looks like at its end.
+std::string unrest(const Model& model, const Iteration& last, int iterations, const VecX& residual) {
+  Eigen::Index worst = 0;
+  residual.cwiseAbs().maxCoeff(&worst);
+  std::string out = fmt::format("relative residual {:.2e} after {} iterations, largest at {}", last.residual,
+                                iterations, place_of(model, static_cast<Index>(worst)));
+  if (const int changes = last.status_changes + last.partner_changes; changes > 0)
+    out += fmt::format(", {} points still changing between open, stick, slip or flow", changes);
+  return out;
 }
 
 double largest_gradient(const Model& model, const VecX& du) {
@@ -256,8 +266,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     const int most = controls.max_iterations + std::min(chatter.halved(), controls.max_iterations);
     if (i == most || (i > 3 && residual > 1e8 * (first_residual + floor))) {
-      out.failure = Failure{FailureKind::NoConvergence,
-                            fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
+      out.failure = Failure{FailureKind::NoConvergence, unrest(model, it, i, rhs),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
       return out;
     }
@@ -288,9 +297,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     }
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     const bool finite = factors != Factors::None && du.allFinite();
-    const std::string lost =
-        finite ? flew_away(model, du, factors == Factors::Regular ? kFlewAway * reach : 0.0) : std::string{};
-    if (factors != Factors::Regular || !finite || !lost.empty()) {
+    const std::string lost = finite ? flew_away(model, du, factors == Factors::Regular ? kFlewAway * reach : 0.0)
+                                    : "no factors, or none that are finite";
+    if (factors != Factors::Regular || !lost.empty()) {
       out.failure =
           Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
                   model.has_memory()

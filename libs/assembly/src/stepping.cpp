@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cleft/contact/history.hpp"
+#include "lost_contact.hpp"
 #include "path.hpp"
 
 namespace cleft::assembly {
@@ -133,7 +134,9 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
   double before = event.before;
   for (;;) {
     const bool along_path = place_.stretch > 0.0;
-    const Increment increment = along_path ? try_path(observer) : try_load(before, observer);
+    Increment increment = along_path ? try_path(observer) : try_load(before, observer);
+    if (!increment.failure)
+      increment.failure = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs());
     if (increment.failure) {
       const double size = along_path ? place_.stretch : place_.step;
       ++cuts;

@@ -210,8 +210,27 @@ TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
       solve_increment(model, constraints_of(model), state_at_rest(model), {0.1}, controls, assembler, solver, {});
   ASSERT_TRUE(increment.failure);
   EXPECT_EQ(increment.failure->kind, FailureKind::NoConvergence);
-  EXPECT_NE(describe(*increment.failure).find("after 1 iterations"), std::string::npos);
+  EXPECT_NE(describe(*increment.failure).find("after 1 iterations, largest at node "), std::string::npos)
+      << describe(*increment.failure);
   EXPECT_EQ(increment.iterations.size(), 1u);
+}
+
+// A radius below the penetration hides the partner: nothing would hold the faces apart.
+TEST(Newton, SaysWhereTheSearchLosesFacesInContact) {
+  Model model = models::block(8, NegativeSide::Left);
+  model.surfaces.search_radius = 1e-6;
+  StepControls controls;
+  controls.steps = 8;
+  LoadStepper stepper(model, controls);
+  for (;;) {
+    const auto outcome = stepper.advance();
+    ASSERT_FALSE(stepper.done()) << "the faces have passed through each other";
+    const auto* failure = std::get_if<Failure>(&outcome);
+    if (!failure) continue;
+    EXPECT_EQ(failure->kind, FailureKind::ContactLost) << describe(*failure);
+    EXPECT_NE(failure->place.find("of crack 'main'"), std::string::npos);
+    break;
+  }
 }
 
 // Springs may be so stiff that every state is an equilibrium but for their rounding: that is none.

@@ -183,7 +183,7 @@ std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& o
   try {
     model = std::make_unique<const assembly::Model>(recut_(cracks));
   } catch (const InputError& error) {
-    return failed({FailureKind::NoConvergence, error.what(), "fewer advances (growth.most)"});
+    return failed({FailureKind::Refused, error.what(), "fewer advances (growth.most)"});
   }
   auto stepper = std::make_unique<assembly::LoadStepper>(*model, controls_);
   auto origin = transfer(*model_, stepper_->state(), *model);

@@ -6,6 +6,7 @@
 
 #include "bodies.hpp"
 #include "cleft/geometry/advance.hpp"
+#include "cleft/support/error.hpp"
 
 namespace cleft::growth {
 namespace {
@@ -45,6 +46,17 @@ TEST(Evolution, FindsTheLoadOfGrowthWhateverTheIncrements) {
   for (const double load : loads) EXPECT_NEAR(load, loads.back(), 1e-4);
   EXPECT_GT(loads.back(), 0.05);
   EXPECT_LT(loads.back(), 0.95);
+}
+
+TEST(Evolution, SaysThatWhatHasGrownCannotBeCut) {
+  const auto refuse = [](const std::vector<geometry::Crack>&) -> assembly::Model {
+    throw InputError({}, "main", "is not welcome");
+  };
+  Evolution body(edge_crack()(), bodies::in_steps(20), {rankine(6e7, 0.1, 1)}, refuse);
+  const auto run = bodies::run(body);
+  ASSERT_TRUE(run.failure);
+  EXPECT_EQ(run.failure->kind, assembly::FailureKind::Refused);
+  EXPECT_NE(assembly::describe(*run.failure).find("is not welcome"), std::string::npos);
 }
 
 TEST(Evolution, GrowsAtOneAndHardlyBeyondIt) {

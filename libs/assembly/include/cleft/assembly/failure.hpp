@@ -6,12 +6,12 @@
 
 namespace cleft::assembly {
 
-enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, Unloaded };
+enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, Unloaded, ContactLost, Refused };
 
 /// Why an increment or a run failed, where, and what a user may try.
 struct Failure {
   FailureKind kind = FailureKind::NoConvergence;
-  std::string place;  ///< element, side or unknown, with coordinates
+  std::string place;  ///< element, side, node or contact point, with coordinates
   std::string advice;
 };
 

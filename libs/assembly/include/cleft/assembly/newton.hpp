@@ -15,8 +15,8 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int min_iterations = 0;              ///< corrections made even if the residual is small already
-  int max_iterations = 12;  ///< up to twice as many where contact points chatter
-  bool extrapolate = true;  ///< start from the last increment continued
+  int max_iterations = 12;             ///< up to twice as many where contact points chatter
+  bool extrapolate = true;             ///< start from the last increment continued
 };
 
 /// One iteration: a residual and the correction that it leads to.

@@ -1,0 +1,16 @@
+#include "places.hpp"
+
+#include <fmt/format.h>
+
+namespace cleft::assembly {
+
+std::string place_of(const Model& model, Index component) {
+  const Index unknown = component / 2, node = model.unknowns.node_of[unknown];
+  if (node == kNone) return "a branch function's amplitude";
+  const auto& side = model.unknowns.side_of[unknown];
+  const char* where = !side ? "" : *side == geometry::Side::Left ? ", left side" : ", right side";
+  const Vec2& at = model.mesh.nodes[node];
+  return fmt::format("node {} at ({:.6g}, {:.6g}){}", node, at.x(), at.y(), where);
+}
+
+}  // namespace cleft::assembly
