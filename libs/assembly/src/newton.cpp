@@ -41,6 +41,8 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
   Eigen::Index worst = 0;
   const double most = du.cwiseAbs().maxCoeff(&worst);
   if (most <= bound) return {};
+  if (worst / 2 >= model.unknowns.displacements())
+    return fmt::format("a contact multiplier would change by {:.1e} m times its stiffness", most);
   const Index node = model.unknowns.node_of[worst / 2];
   if (node == kNone) return fmt::format("a branch function would move by {:.1e}", most);
   return fmt::format("node {} at ({:.6g}, {:.6g}) would move by {:.1e} m", node, model.mesh.nodes[node].x(),
