@@ -298,9 +298,13 @@ void Assembler::find_contact(const VecX& displacement, const History& history) {
   search_.run(s, displacement, history.contact, history.deepest, pairs_);
   if (s.hats.empty()) return;
   multipliers_.run(s, face_positions(), pairs_, displacement, history.hats);
-  for (std::size_t p = 0; p < pairs_.size(); ++p)
-    if (is_mortar(s, p) && pairs_[p].partner_face != kNone)
-      pairs_[p].state.traction = multipliers_.traction(s, s.points[p].face, s.points[p].eta);
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
+    auto& state = pairs_[p].state;
+    const bool past = state.partner < 0.0 || state.partner > 1.0;
+    state.ramp = past ? 0.0 : 1.0;
+    state.traction = past ? contact::Traction{} : multipliers_.traction(s, s.points[p].face, s.points[p].eta);
+  }
 }
 
 void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {

@@ -91,6 +91,7 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     if (e == kNone) continue;
     const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
     const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
+    s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
     Vec2 difference = own - Vec2(nodes_[j].normal, nodes_[j].tangential);
     difference.y() -= own_part(memory.coverage[e]) * (memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
     smooth += soft.value * difference;

@@ -28,6 +28,41 @@ const char* block_of(const contact::Pair& pair, const contact::Memory& memory) {
   return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
 }
 
+const char* block_of(const contact::NodeState& node) {
+  if (node.leans) return "contact hat leaning";
+  if (node.status == Status::Open) return "contact hat open";
+  return node.status == Status::Stick ? "contact hat stick" : "contact hat slip";
+}
+
+void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
+               std::vector<Index>& out) {
+  const auto& surfaces = model.surfaces;
+  const auto& hats = surfaces.hats;
+  const auto add_nodes = [&](Index interval) {
+    for (const Index node : {hats.intervals[interval].first, hats.intervals[interval].second})
+      out.push_back(surfaces.first_multiplier + node);
+  };
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    const auto &s = a.nodes()[i], &t = b.nodes()[i];
+    if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans)
+      out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
+  }
+  const auto add_piece = [&](const contact::Piece& piece) {
+    const auto& strip = hats.strips[piece.strip];
+    add_nodes(strip.interval);
+    for (const Index face : {strip.face, piece.partner})
+      for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
+  };
+  const auto same = [](const contact::Piece& p, const contact::Piece& q) {
+    return p.strip == q.strip && p.partner == q.partner && p.trail == q.trail && p.begin_at == q.begin_at &&
+           p.end_at == q.end_at;
+  };
+  for (const auto& p : a.pieces())
+    if (std::none_of(b.pieces().begin(), b.pieces().end(), [&](const auto& q) { return same(p, q); })) add_piece(p);
+  for (const auto& q : b.pieces())
+    if (std::none_of(a.pieces().begin(), a.pieces().end(), [&](const auto& p) { return same(p, q); })) add_piece(q);
+}
+
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
                          const contact::Memory& memory) {
   PairUnknowns out;

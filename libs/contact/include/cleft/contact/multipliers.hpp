@@ -46,6 +46,7 @@ HatMemory hats_at_rest(const Surfaces& surfaces);
 struct NodeState {
   Status status = Status::Open;
   bool supported = false;                 ///< something lies opposite its hat
+  bool leans = false;                     ///< little lies opposite one of its intervals
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
