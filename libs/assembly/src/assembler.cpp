@@ -171,8 +171,8 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
     assemble_contact(history.contact);
-    force_ += contact_force_;
     if (!model_.surfaces.hats.empty()) assemble_hats(history.hats);
+    force_ += contact_force_;
   }
   if (!force_.allFinite()) return Failure{FailureKind::NotFinite, "in the internal force", "smaller increments"};
   return std::nullopt;
@@ -365,6 +365,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
   const auto& hats = surfaces.hats;
   const auto& conditions = multipliers_.conditions();
   const Index first = surfaces.first_multiplier;
+  hat_force_.setZero(model_.unknowns.components());
   struct Column {
     Index unknown;
     double start, end;  // weights of the two inputs at `input`, `input + 2`
@@ -404,8 +405,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
       const auto& row = columns[r];
       const Vec2 force =
           row.start * integrals.value.segment<2>(row.input) + row.end * integrals.value.segment<2>(row.input + 2);
-      contact_force_.segment<2>(2 * row.unknown) += force;
-      force_.segment<2>(2 * row.unknown) += force;
+      hat_force_.segment<2>(2 * row.unknown) += force;
       scatter(row.unknown, row.start * integrals.derivative.middleRows<2>(row.input) +
                                row.end * integrals.derivative.middleRows<2>(row.input + 2));
     }
@@ -417,6 +417,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
                                 by_cover * (integrals.derivative.row(12) + integrals.derivative.row(13)));
     }
   }
+  contact_force_ += hat_force_;
   for (Index node = 0; node < static_cast<Index>(hats.nodes.size()); ++node) {
     const auto& condition = conditions[node];
     force_.segment<2>(2 * (first + node)) += condition.value;

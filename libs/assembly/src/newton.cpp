@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "chatter.hpp"
+
 namespace cleft::assembly {
 namespace {
 
@@ -132,6 +134,14 @@ void tally(const Assembler& assembler, const History& history, Tally& last, Iter
   }
 }
 
+std::vector<Index> contact_state(const Assembler& assembler) {
+  std::vector<Index> out;
+  for (const auto& pair : assembler.pairs()) out.push_back(pair.partner_face);
+  for (const auto& node : assembler.multipliers().nodes())
+    out.push_back(4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0));
+  return out;
+}
+
 // In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
 bool hides_forces(const RoundingFloor& rounding, double scale) {
   constexpr double kHidden = 1e-3;  // of the forces
@@ -191,6 +201,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   if (model.is_linear()) move_boundary(constraints, target, u, change);
 
   Tally last;
+  Chatter chatter;
+  int circles = 0;
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
   for (int i = 0;; ++i) {
@@ -236,7 +248,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence,
-                            fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
+                            fmt::format("relative residual {:.2e} after {} iterations{}", it.residual, i,
+                                        circles == 0 ? "" : ", the contact chatters between two states"),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
       return out;
     }
@@ -278,6 +291,12 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
                       : "prescribing more components, or bringing the parts into contact (is every part of the body "
                         "held?)"};
       return out;
+    }
+    if (!model.surfaces.hats.empty() && in_place && chatter.repeats(contact_state(assembler), residual)) {
+      constexpr double kDamped = 0.5;
+      du *= kDamped;
+      it.chatters = true;
+      ++circles;
     }
     u += du;
     move_boundary(constraints, target, u, change);

@@ -236,10 +236,15 @@ Step LoadStepper::commit(const Increment& increment) {
   }
 
   if (!model_.surfaces.hats.empty()) {
-    const auto hats = contact::work(model_.surfaces, assembler_.multipliers(), state_.history.hats);
-    energies.contact += hats.stored;
-    energies.friction_dissipation += hats.dissipated;
-    state_.history.hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
+    auto& hats = state_.history.hats;
+    const double stored = contact::stored_energy(model_.surfaces, hats);
+    VecX forces = assembler_.hat_force();
+    if (hats.force.size() > 0) forces += hats.force;
+    hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
+    hats.force = assembler_.hat_force();
+    const double now = contact::stored_energy(model_.surfaces, hats);
+    energies.contact += now;
+    energies.friction_dissipation += 0.5 * forces.dot(increment.displacement - state_.displacement) - (now - stored);
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);

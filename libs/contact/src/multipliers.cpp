@@ -28,8 +28,11 @@ double own_part(double coverage) { return std::min(1.0, coverage / kCover); }
 
 HatMemory hats_at_rest(const Surfaces& surfaces) {
   const auto& hats = surfaces.hats;
-  return {std::vector<Status>(hats.nodes.size(), Status::Stick), VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
-          std::vector<double>(hats.intervals.size(), 1.0), trails_at_rest(surfaces)};
+  return {std::vector<Status>(hats.nodes.size(), Status::Stick),
+          VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
+          std::vector<double>(hats.intervals.size(), 1.0),
+          trails_at_rest(surfaces),
+          {}};
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
@@ -177,29 +180,14 @@ HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at
   return out;
 }
 
-HatWork work(const Surfaces& surfaces, const Multipliers& now, const HatMemory& before) {
-  HatWork out;
+double stored_energy(const Surfaces& surfaces, const HatMemory& memory) {
+  double out = 0.0;
   const auto& hats = surfaces.hats;
-  double stored_before = 0.0;  // tangentially
-  double tangential = 0.0;
   for (const auto& interval : hats.intervals) {
     const Mortar& mortar = mortar_of(surfaces, hats.nodes[interval.first]);
-    const double half = 0.5 * mortar.smoothing * mortar.compliance * interval.length / 12.0;
-    const auto square = [](double x) { return x * x; };
-    const auto &a = now.nodes()[interval.first], &b = now.nodes()[interval.second];
-    out.stored += half * square(a.normal - b.normal);
-    tangential += half * square(a.tangential - b.tangential);
-    stored_before +=
-        half * square(before.multiplier[2 * interval.first + 1] - before.multiplier[2 * interval.second + 1]);
-  }
-  out.stored += tangential;
-  out.dissipated = stored_before - tangential;
-  for (std::size_t i = 0; i < now.nodes().size(); ++i) {
-    const auto& s = now.nodes()[i];
-    if (s.status == Status::Open) continue;
-    const double past = before.multiplier[2 * static_cast<Index>(i) + 1];
-    const bool onward = s.status != Status::Slip || past * s.tangential >= 0.0;
-    out.dissipated += (onward ? 0.5 * (past + s.tangential) : s.tangential) * s.slip;
+    const Vec2 difference =
+        memory.multiplier.segment<2>(2 * interval.first) - memory.multiplier.segment<2>(2 * interval.second);
+    out += 0.5 * mortar.smoothing * mortar.compliance * interval.length / 12.0 * difference.squaredNorm();
   }
   return out;
 }

@@ -106,6 +106,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
   pass(io, hats.coverage, io);
+  pass(io, hats.force);
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);

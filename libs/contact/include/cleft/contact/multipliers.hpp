@@ -39,6 +39,7 @@ struct HatMemory {
   VecX multiplier;               ///< l_N and l_T of each node, Pa
   std::vector<double> coverage;  ///< per interval, 0 to 1
   std::vector<Trail> trails;     ///< anchors
+  VecX force;                    ///< internal force of the hats' tractions on all components, N/m; empty at rest
 };
 HatMemory hats_at_rest(const Surfaces& surfaces);
 
@@ -91,11 +92,7 @@ class Multipliers {
   std::vector<bool> reached_;    // per node: some node of its face has something opposite
 };
 
-/// Works of one increment that ended at `now`, J/m.
-struct HatWork {
-  double stored = 0.0;      ///< in Z, at its end
-  double dissipated = 0.0;  ///< by friction
-};
-HatWork work(const Surfaces& surfaces, const Multipliers& now, const HatMemory& before);
+/// Energy stored in Z at tau, J/m.
+double stored_energy(const Surfaces& surfaces, const HatMemory& hats);
 
 }  // namespace cleft::contact
