@@ -87,11 +87,16 @@ void Assembler::build_pattern() {
     for (const Index g : room_[f])
       together.insert(together.end(), model_.surfaces.faces[g].start.unknown.begin(),
                       model_.surfaces.faces[g].start.unknown.end());
-    if (!hats.empty())
-      for (Index k = hats.first_strip[f]; k < hats.first_strip[f + 1]; ++k) {
-        const auto& interval = hats.intervals[hats.strips[k].interval];
-        together.insert(together.end(), {first + interval.first, first + interval.second});
-      }
+    if (!hats.empty()) {
+      const auto add_hats = [&](Index face) {
+        for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
+          const auto& interval = hats.intervals[hats.strips[k].interval];
+          together.insert(together.end(), {first + interval.first, first + interval.second});
+        }
+      };
+      add_hats(static_cast<Index>(f));
+      for (const Index g : room_[f]) add_hats(g);
+    }
     std::sort(together.begin(), together.end());
     together.erase(std::unique(together.begin(), together.end()), together.end());
     couple(together, together);
@@ -371,7 +376,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
     double start, end;  // weights of the two inputs at `input`, `input + 2`
     int input;
   };
-  std::array<Column, 3 * enrichment::ShortList<Index>::kCapacity + 2> columns;
+  std::array<Column, 3 * enrichment::ShortList<Index>::kCapacity + 4> columns;
   using Rows = Eigen::Matrix<double, 2, contact::kPieceInputs>;
   for (std::size_t p = 0; p < multipliers_.pieces().size(); ++p) {
     const auto& piece = multipliers_.pieces()[p];
@@ -392,6 +397,12 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
     const double scale = surfaces.mortar[faces[strip.face].crack].scale;
     columns[count++] = {first + interval.first, scale, 0.0, 12};
     columns[count++] = {first + interval.second, scale, 0.0, 14};
+    if (piece.partner_strip != kNone) {
+      const auto& opposite = hats.intervals[hats.strips[piece.partner_strip].interval];
+      const double other_scale = surfaces.mortar[faces[piece.partner].crack].scale;
+      columns[count++] = {first + opposite.first, other_scale, 0.0, 16};
+      columns[count++] = {first + opposite.second, other_scale, 0.0, 18};
+    }
 
     const auto scatter = [&](Index unknown, const Rows& t) {
       for (int c = 0; c < count; ++c) {
@@ -411,10 +422,13 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
     }
     for (const Index node : {interval.first, interval.second}) {
       const auto& condition = conditions[node];
-      const int at = node == interval.first ? 8 : 10;
+      const int k = node == interval.first ? 0 : 1;
       const Vec2& by_cover = condition.by_cover[strip.interval == hats.nodes[node].before ? 0 : 1];
-      scatter(first + node, condition.by_integral.asDiagonal() * integrals.derivative.middleRows<2>(at) +
-                                by_cover * (integrals.derivative.row(12) + integrals.derivative.row(13)));
+      const auto& d = integrals.derivative;
+      Rows row = condition.by_integral.asDiagonal() * d.middleRows<2>(contact::kGapOutput + 2 * k);
+      row += condition.by_beyond.asDiagonal() * d.middleRows<2>(contact::kDifferenceOutput + 2 * k);
+      row += by_cover * (d.row(contact::kSupportOutput) + d.row(contact::kSupportOutput + 1));
+      scatter(first + node, row);
     }
   }
   contact_force_ += hat_force_;

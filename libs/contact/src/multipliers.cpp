@@ -52,13 +52,20 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
     const Index e = hats.strips[pieces_[p].strip].interval;
     const std::array<Index, 2> ends{hats.intervals[e].first, hats.intervals[e].second};
     const auto traction = [&](Index i) -> Vec2 { return {nodes_[i].normal, nodes_[i].tangential}; };
-    integrals_[p] = integrate(surfaces, at, memory.trails, pieces_[p], {traction(ends[0]), traction(ends[1])});
+    std::array<Vec2, 4> multipliers{traction(ends[0]), traction(ends[1]), Vec2::Zero(), Vec2::Zero()};
+    if (const Index other = pieces_[p].partner_strip; other != kNone) {
+      const auto& interval = hats.intervals[hats.strips[other].interval];
+      multipliers[2] = traction(interval.first);
+      multipliers[3] = traction(interval.second);
+    }
+    integrals_[p] = integrate(surfaces, at, memory.trails, pieces_[p], multipliers);
     const auto& v = integrals_[p].value;
     for (int k = 0; k < 2; ++k) {
-      nodes_[ends[k]].gap += v(8 + 2 * k);
-      nodes_[ends[k]].slip += v(9 + 2 * k);
-      nodes_[ends[k]].support += v(12 + k);
-      covered_[e] += v(12 + k);
+      nodes_[ends[k]].gap += v(kGapOutput + 2 * k);
+      nodes_[ends[k]].slip += v(kGapOutput + 1 + 2 * k);
+      nodes_[ends[k]].beyond += v.segment<2>(kDifferenceOutput + 2 * k);
+      nodes_[ends[k]].support += v(kSupportOutput + k);
+      covered_[e] += v(kSupportOutput + k);
     }
   }
   reached_.assign(nodes_.size(), false);
@@ -102,9 +109,11 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     by_neighbour[k] = -soft.value;
     by_cover[k] = soft.by_cover * difference;
   }
+  smooth += mortar.compliance * s.beyond;
   const auto level = [&](int row, double integral) {  // c (integral - Z)
     out.value(row) = c * (integral - smooth(row));
     out.by_integral(row) = s.supported ? c : 0.0;
+    out.by_beyond(row) = s.supported ? -c * mortar.compliance : 0.0;
     out.by_own(row, row) = -c * c * by_own;
     for (int k = 0; k < 2; ++k) {
       out.by_neighbour[k](row, row) = -c * c * by_neighbour[k];

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kCrumb = 1e-12;  // of a face: a piece that is no longer is none
 
-// A segment of the other face and the part of a face that it lies opposite.
+// A segment of the other face, or one of its strips, and the part of a face that it lies opposite.
 struct Tile {
-  Index partner;
+  Index partner, strip;
   double begin, end;
   Bound begin_at, end_at;
 };
@@ -36,15 +36,31 @@ bool projects(const Surfaces& surfaces, const FacePositions& at, const Ray& ray,
   if (surfaces.faces[g].normal_sign() * turn_left(e).dot(ray.n) >= 0.0 || et == 0.0) return false;
   const double start = (at.start[g] - ray.start).dot(ray.t) / ray.length,
                end = (at.end[g] - ray.start).dot(ray.t) / ray.length;
-  out = et > 0.0 ? Tile{g, start, end, Bound::PartnerStart, Bound::PartnerEnd}
-                 : Tile{g, end, start, Bound::PartnerEnd, Bound::PartnerStart};
+  out = et > 0.0 ? Tile{g, kNone, start, end, {true, 0.0}, {true, 1.0}}
+                 : Tile{g, kNone, end, start, {true, 1.0}, {true, 0.0}};
   return true;
 }
 
 void add_clipped(Tile tile, std::vector<Tile>& out) {
-  if (tile.begin < 0.0) tile.begin = 0.0, tile.begin_at = Bound::Fixed;
-  if (tile.end > 1.0) tile.end = 1.0, tile.end_at = Bound::Fixed;
+  if (tile.begin < 0.0) tile.begin = 0.0, tile.begin_at = {};
+  if (tile.end > 1.0) tile.end = 1.0, tile.end_at = {};
   if (tile.end > tile.begin + kCrumb) out.push_back(tile);
+}
+
+// By the strips of the partner, if it has some.
+void add_strips(const Hats& hats, const Tile& tile, std::vector<Tile>& out) {
+  const Index first = hats.first_strip[tile.partner], last = hats.first_strip[tile.partner + 1];
+  if (first == last) return add_clipped(tile, out);
+  const double from = tile.begin_at.place, slope = (tile.end - tile.begin) / (tile.end_at.place - from);
+  for (Index k = first; k < last; ++k) {
+    Tile part = tile;
+    part.strip = k;
+    double low = hats.strips[k].begin, high = hats.strips[k].end;
+    if (slope < 0.0) std::swap(low, high);
+    part.begin = tile.begin + (low - from) * slope, part.begin_at.place = low;
+    part.end = tile.begin + (high - from) * slope, part.end_at.place = high;
+    add_clipped(part, out);
+  }
 }
 
 bool covers(const std::vector<Tile>& tiles, Index partner) {
@@ -56,10 +72,10 @@ void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Ind
   Tile tile;
   if (!projects(surfaces, at, ray, seed, tile)) return;
   const Tile first = tile;
-  if (first.begin < 1.0 && first.end > 0.0) add_clipped(first, out);
+  if (first.begin < 1.0 && first.end > 0.0) add_strips(surfaces.hats, first, out);
   const auto next = [&](bool forward) {
     const auto& face = surfaces.faces[tile.partner];
-    return ((forward ? tile.end_at : tile.begin_at) == Bound::PartnerEnd) ? face.next : face.previous;
+    return (forward ? tile.end_at : tile.begin_at).place == 1.0 ? face.next : face.previous;
   };
   for (const bool forward : {true, false}) {
     tile = first;
@@ -68,7 +84,7 @@ void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Ind
       const Bound before = forward ? tile.end_at : tile.begin_at;
       if (g == kNone || !projects(surfaces, at, ray, g, tile)) break;
       if ((forward ? tile.end_at : tile.begin_at) != before) break;  // the chain turns back
-      if (tile.begin < 1.0 && tile.end > 0.0) add_clipped(tile, out);
+      if (tile.begin < 1.0 && tile.end > 0.0) add_strips(surfaces.hats, tile, out);
     }
   }
 }
@@ -78,7 +94,7 @@ void make_disjoint(std::vector<Tile>& tiles) {
   std::ranges::stable_sort(tiles, {}, &Tile::begin);
   double covered = 0.0;
   for (auto& tile : tiles) {
-    if (tile.begin < covered - kCrumb) tile.begin = covered, tile.begin_at = Bound::Fixed;
+    if (tile.begin < covered - kCrumb) tile.begin = covered, tile.begin_at = {};
     covered = std::max(covered, tile.end);
   }
   std::erase_if(tiles, [](const Tile& tile) { return !(tile.end > tile.begin + kCrumb); });
@@ -88,7 +104,7 @@ void make_disjoint(std::vector<Tile>& tiles) {
 void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const Strip& strip, Index number,
                 const Tile& tile, std::vector<Piece>& out) {
   const auto add = [&](Index trail, double begin, double end) {
-    Piece piece{number, tile.partner, trail, begin, end};
+    Piece piece{number, tile.partner, tile.strip, trail, begin, end, {}, {}};
     if (tile.begin >= begin) piece.begin = tile.begin, piece.begin_at = tile.begin_at;
     if (tile.end <= end) piece.end = tile.end, piece.end_at = tile.end_at;
     if (piece.end > piece.begin + kCrumb) out.push_back(piece);
@@ -144,7 +160,10 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
     tiles.clear();
     while (point < points && surfaces.points[point].face < f) ++point;
     if (surfaces.undeformed) {
-      tiles.push_back({enrichment::opposite_face(f), 0.0, 1.0, Bound::Fixed, Bound::Fixed});
+      const Index g = enrichment::opposite_face(f);  // whose strips are the same
+      if (hats.first_strip[g] == hats.first_strip[g + 1]) tiles.push_back({g, kNone, 0.0, 1.0, {}, {}});
+      for (Index k = hats.first_strip[g]; k < hats.first_strip[g + 1]; ++k)
+        tiles.push_back({g, k, hats.strips[k].begin, hats.strips[k].end, {}, {}});
     } else {
       const Ray ray = ray_of(surfaces, at, f);
       for (; point < points && surfaces.points[point].face == f; ++point)
@@ -189,7 +208,7 @@ std::vector<Trail> trails_at_rest(const Surfaces& surfaces) {
 }
 
 PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 2>& multipliers) {
+                         const Piece& piece, const std::array<Vec2, 4>& multipliers) {
   const auto& hats = surfaces.hats;
   const Strip& strip = hats.strips[piece.strip];
   const auto& face = surfaces.faces[strip.face];
@@ -215,12 +234,24 @@ PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, cons
   }
   n = {-face.normal_sign() * t.y, face.normal_sign() * t.x};
   const D et = dot(e, t);
-  const auto bound = [&](Bound where, double fixed) {
-    if (where == Bound::Fixed) return D(fixed);
-    return dot((where == Bound::PartnerStart ? c : d) - a, t) / length;
+  const auto bound = [&](const Bound& where, double fixed) {
+    if (!where.by_partner) return D(fixed);
+    return dot(c + D(where.place) * e - a, t) / length;
   };
   const D begin = bound(piece.begin_at, piece.begin), end = bound(piece.end_at, piece.end);
   const D extent = end - begin;
+
+  // the hats of the other face, and ds'/ds
+  const Strip* other = piece.partner_strip == kNone ? nullptr : &hats.strips[piece.partner_strip];
+  const auto& partner = surfaces.faces[piece.partner];
+  const double other_start = other ? hats.second_hat(partner, *other, 0.0) : 0.0;
+  const double other_slope = other ? hats.second_hat(partner, *other, 1.0) - other_start : 0.0;
+  const Vector third = input(multipliers[2], 16), fourth = input(multipliers[3], 18);
+  D ratio(1.0);
+  if (other && !surfaces.undeformed) {
+    const double lengths = (partner.reference_end - partner.reference_start).norm() / reference.norm();
+    ratio = std::copysign(lengths, et.value) * (length / et);
+  }
 
   std::array<D, kPieceOutputs> out;
   constexpr double kGauss = 0.21132486540518712;
@@ -254,8 +285,17 @@ PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, cons
     const D share1 = weight * hat1, share2 = weight * hat2;
     out[8] = out[8] + share1 * gap_n;
     out[10] = out[10] + share2 * gap_n;
-    out[12] = out[12] + share1;
-    out[13] = out[13] + share2;
+    out[16] = out[16] + share1;
+    out[17] = out[17] + share2;
+    if (other) {
+      const D hat4 = other_slope * xi + other_start, hat3 = 1.0 - hat4;
+      const D beyond_n = tn - ratio * (hat3 * third.x + hat4 * fourth.x),
+              beyond_t = tt + ratio * (hat3 * third.y + hat4 * fourth.y);
+      out[12] = out[12] + share1 * beyond_n;
+      out[13] = out[13] + share1 * beyond_t;
+      out[14] = out[14] + share2 * beyond_n;
+      out[15] = out[15] + share2 * beyond_t;
+    }
     if (!trail) continue;
     const double slope = (trail->anchor_end - trail->anchor_begin) / (trail->end - trail->begin);
     const D place_a = slope * eta + (trail->anchor_begin - slope * trail->begin);

@@ -55,7 +55,8 @@ void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly:
     if (!s.is_mortar(face.crack) || !s.is_negative(face)) continue;
     const auto& segment = m.cut.segments[f / 2];
     const Index element = segment.cut == kNone ? m.cut.tips[segment.tip].element : m.cut.elements[segment.cut].element;
-    plan[f] = {s.mortar[face.crack].hat_width * element_size(m.mesh, element), 1.0};
+    plan[f] = {s.mortar[face.crack].hat_width * element_size(m.mesh, element),
+               s.sides[face.crack] == contact::NegativeSide::Both ? 0.5 : 1.0};
   }
   s.hats = contact::make_hats(s.faces, plan);
   s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));

@@ -69,10 +69,6 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
   out.intensities = s.flag_or("intensities", false);
   if (const auto c = s.section("contact", "crack.contact")) {
     read_contact(*c, out);
-    if (out.mortar.on && out.negative_side == contact::NegativeSide::Both)
-      c->fail("method",
-              "both faces with mortar contact would carry the same tractions twice; allowed with negative_side "
-              "= \"both\": penalty");
     if (out.mortar.on && s.has("growth"))
       c->fail("method",
               "the tractions of mortar contact do not follow a crack that grows; allowed with growth: penalty");

@@ -50,12 +50,13 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   const auto add_piece = [&](const contact::Piece& piece) {
     const auto& strip = hats.strips[piece.strip];
     add_nodes(strip.interval);
+    if (piece.partner_strip != kNone) add_nodes(hats.strips[piece.partner_strip].interval);
     for (const Index face : {strip.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
   const auto same = [](const contact::Piece& p, const contact::Piece& q) {
-    return p.strip == q.strip && p.partner == q.partner && p.trail == q.trail && p.begin_at == q.begin_at &&
-           p.end_at == q.end_at;
+    return p.strip == q.strip && p.partner == q.partner && p.partner_strip == q.partner_strip && p.trail == q.trail &&
+           p.begin_at == q.begin_at && p.end_at == q.end_at;
   };
   for (const auto& p : a.pieces())
     if (std::none_of(b.pieces().begin(), b.pieces().end(), [&](const auto& q) { return same(p, q); })) add_piece(p);

@@ -25,6 +25,10 @@
 /// tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the interval was
 /// covered then (o = 1): Z does not depend on the size of the increments.
 ///
+/// Where both faces carry hats, each with half of the weight, Z has the further part h / (2 mu) int phi_i (l - l') ds,
+/// with l' what the other face bears: the faces' tractions are two unknowns for one, and where they are the same each
+/// face's mean gap vanishes.
+///
 /// c, a stiffness C/h of the elements, only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
 #pragma once
@@ -50,6 +54,7 @@ struct NodeState {
   bool leans = false;                     ///< little lies opposite one of its intervals
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
+  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, int phi ds, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
   double slides = 0.0;                    ///< sign of the traction of a node that slips
 };
@@ -58,6 +63,7 @@ struct NodeState {
 struct NodeCondition {
   Vec2 value = Vec2::Zero();                                     ///< N/m
   Vec2 by_integral = Vec2::Zero();                               ///< on G and S
+  Vec2 by_beyond = Vec2::Zero();                                 ///< on the tractions beyond those of the other face
   Mat2 by_own = Mat2::Zero();                                    ///< on the node's unknowns, N/m per metre
   std::array<Mat2, 2> by_neighbour{Mat2::Zero(), Mat2::Zero()};  ///< on those of the nodes before and after
   std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  ///< on int ds over what is covered of the two intervals

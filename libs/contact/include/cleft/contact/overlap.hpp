@@ -17,17 +17,22 @@ struct Trail {
   double anchor_begin = 0.0, anchor_end = 0.0;  ///< places on the other face, opposite begin and end
 };
 
-/// What bounds a piece.
-enum class Bound : std::uint8_t { Fixed, PartnerStart, PartnerEnd };
+/// What bounds a piece: a material point of its own face, or the normal projection of one of the partner.
+struct Bound {
+  bool by_partner = false;
+  double place = 0.0;  ///< on the partner, 0 at its start, 1 at its end
+  bool operator==(const Bound&) const = default;
+};
 
-/// A part of a strip that has one segment of the positive face opposite and one trail, or none. Its bounds are material
-/// points of the strip, or move with an end of the partner, whose normal projection they are.
+/// A part of a strip that has one segment of the positive face opposite, one strip of it if it carries hats as well,
+/// and one trail, or none.
 struct Piece {
   Index strip = kNone;
-  Index partner = kNone;  ///< face
+  Index partner = kNone;        ///< face
+  Index partner_strip = kNone;  ///< of the hats of the other face, if both have some
   Index trail = kNone;
   double begin = 0.0, end = 0.0;  ///< places on the strip's face
-  Bound begin_at = Bound::Fixed, end_at = Bound::Fixed;
+  Bound begin_at, end_at;
 };
 
 /// Pieces that cover all of the strips that has something opposite, found from the partners of the contact points along
@@ -40,11 +45,15 @@ std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, 
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces);
 
 /// What the integrals over a piece depend on, in this order, two components each: the ends of its own face, of the
-/// partner and of the anchor's face (current, metres), and the multipliers (l_N, l_T) of the interval's nodes (Pa).
-inline constexpr int kPieceInputs = 16;
+/// partner and of the anchor's face (current, metres), and the multipliers (l_N, l_T) of the nodes of its own interval
+/// and of the partner's (Pa).
+inline constexpr int kPieceInputs = 20;
 /// Forces on the ends of its own face and of the partner (N/m); for the first node and then for the second the gap and
-/// the slip, int phi g_N ds and int phi g_T ds (m^2); and their supports, int phi ds (m).
-inline constexpr int kPieceOutputs = 14;
+/// the slip, int phi g_N ds and int phi g_T ds (m^2), and what its tractions are beyond those of the other face, int
+/// phi (t_N - j t'_N) ds and int phi (t_T + j t'_T) ds (N/m) with j = ds'/ds, the ratio of reference lengths that lie
+/// opposite each other; and their supports, int phi ds (m).
+inline constexpr int kPieceOutputs = 18;
+inline constexpr int kGapOutput = 8, kDifferenceOutput = 12, kSupportOutput = 16;
 
 struct PieceIntegrals {
   Eigen::Matrix<double, kPieceOutputs, 1> value;
@@ -61,6 +70,6 @@ struct PieceIntegrals {
 /// increment had converged, and the couple of pair.hpp. Lengths are of the undeformed face; where there is no trail the
 /// slip is 0.
 PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 2>& multipliers);
+                         const Piece& piece, const std::array<Vec2, 4>& multipliers);
 
 }  // namespace cleft::contact
