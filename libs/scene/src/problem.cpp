@@ -43,7 +43,7 @@ void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly:
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     auto mortar = scene.cracks[k].mortar;
     if (mortar.on) {
-      mortar.scale = scale[k] / (1.0 + largest_poisson(scene));
+      mortar.scale = scale.empty() ? s.laws[k].normal_penalty : scale[k] / (1.0 + largest_poisson(scene));
       mortar.compliance = 1.0 / mortar.scale;
       s.laws[k].normal_penalty = s.laws[k].tangential_penalty = mortar.scale;
     }

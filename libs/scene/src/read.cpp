@@ -69,9 +69,6 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
   out.intensities = s.flag_or("intensities", false);
   if (const auto c = s.section("contact", "crack.contact")) {
     read_contact(*c, out);
-    if (out.mortar.on && s.has("growth"))
-      c->fail("method",
-              "the tractions of mortar contact do not follow a crack that grows; allowed with growth: penalty");
   }
   if (const auto g = s.section("growth", "crack.growth")) {
     out.growth = read_growth(*g);

@@ -54,14 +54,17 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
     for (const Index face : {strip.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
-  const auto same = [](const contact::Piece& p, const contact::Piece& q) {
-    return p.strip == q.strip && p.partner == q.partner && p.partner_strip == q.partner_strip && p.trail == q.trail &&
-           p.begin_at == q.begin_at && p.end_at == q.end_at;
+  // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable; at the
+  // end of a trail the slip jumps.
+  const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
+    for (const auto& piece : of.pieces())
+      if (piece.trail == kNone && std::ranges::none_of(in.pieces(), [&](const auto& other) {
+            return other.trail == kNone && other.strip == piece.strip && other.partner == piece.partner;
+          }))
+        add_piece(piece);
   };
-  for (const auto& p : a.pieces())
-    if (std::none_of(b.pieces().begin(), b.pieces().end(), [&](const auto& q) { return same(p, q); })) add_piece(p);
-  for (const auto& q : b.pieces())
-    if (std::none_of(a.pieces().begin(), a.pieces().end(), [&](const auto& p) { return same(p, q); })) add_piece(q);
+  add_missing(a, b);
+  add_missing(b, a);
 }
 
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
