@@ -8,7 +8,8 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kCrumb = 1e-12;  // of a face: a piece that is no longer is none
+// Of a face: a piece that is no longer is none, and what bounds its neighbour is the end of the face or strip instead.
+constexpr double kCrumb = 1e-11;
 
 // A segment of the other face, or one of its strips, and the part of a face that it lies opposite.
 struct Tile {
@@ -42,8 +43,8 @@ bool projects(const Surfaces& surfaces, const FacePositions& at, const Ray& ray,
 }
 
 void add_clipped(Tile tile, std::vector<Tile>& out) {
-  if (tile.begin < 0.0) tile.begin = 0.0, tile.begin_at = {};
-  if (tile.end > 1.0) tile.end = 1.0, tile.end_at = {};
+  if (tile.begin < kCrumb) tile.begin = 0.0, tile.begin_at = {};
+  if (tile.end > 1.0 - kCrumb) tile.end = 1.0, tile.end_at = {};
   if (tile.end > tile.begin + kCrumb) out.push_back(tile);
 }
 
@@ -105,8 +106,8 @@ void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const
                 const Tile& tile, std::vector<Piece>& out) {
   const auto add = [&](Index trail, double begin, double end) {
     Piece piece{number, tile.partner, tile.strip, trail, begin, end, {}, {}};
-    if (tile.begin >= begin) piece.begin = tile.begin, piece.begin_at = tile.begin_at;
-    if (tile.end <= end) piece.end = tile.end, piece.end_at = tile.end_at;
+    if (tile.begin > begin + kCrumb) piece.begin = tile.begin, piece.begin_at = tile.begin_at;
+    if (tile.end < end - kCrumb) piece.end = tile.end, piece.end_at = tile.end_at;
     if (piece.end > piece.begin + kCrumb) out.push_back(piece);
   };
   double begin = strip.begin;

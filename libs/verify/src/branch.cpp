@@ -54,12 +54,19 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
     for (const Index face : {strip.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
-  // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable; at the
-  // end of a trail the slip jumps.
+  // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
+  // end of a trail the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths jumps
+  // that compares the tractions of two faces with hats.
+  const auto stands_out = [&](const contact::Piece& piece) {
+    const auto& face = surfaces.faces[hats.strips[piece.strip].face];
+    return piece.trail == kNone || piece.partner_strip != kNone || (face.previous == kNone && piece.begin == 0.0) ||
+           (face.next == kNone && piece.end == 1.0);
+  };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
     for (const auto& piece : of.pieces())
-      if (piece.trail == kNone && std::ranges::none_of(in.pieces(), [&](const auto& other) {
-            return other.trail == kNone && other.strip == piece.strip && other.partner == piece.partner;
+      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& other) {
+            return other.strip == piece.strip && (other.trail == kNone) == (piece.trail == kNone) &&
+                   (piece.partner_strip == kNone ? stands_out(other) : other.partner_strip == piece.partner_strip);
           }))
         add_piece(piece);
   };

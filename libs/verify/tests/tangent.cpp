@@ -54,7 +54,8 @@ TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
     const std::string crack = std::string(run.scene) == "block" ? "main" : "joint";
     for (const char* contact : {"{method='mortar'}", "{method='mortar',smoothing=0}"})
       for (const char* side : {"left", "right", "both"}) {
-        if (std::string(side) == "both" && std::string(contact).find("smoothing") != std::string::npos) continue;
+        // vertices that lie opposite each other are kinks of all hats on both sides, while the crack sticks
+        if (std::string(side) == "both" && crack == "joint") continue;
         auto overrides = run.overrides;
         overrides.push_back("crack." + crack + ".contact=" + contact);
         overrides.push_back("crack." + crack + ".negative_side=" + side);
