@@ -110,19 +110,34 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
 struct Tally {
   std::vector<Index> partner;
   std::vector<contact::Status> status;
+  std::vector<Index> hats;
   std::vector<bool> flows;
 };
 
-void tally(const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
+Index state_of(const contact::NodeState& node) {
+  return 4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0);
+}
+
+// Points of mortar contact only show what its hats do; their partners may change without a kink.
+void tally(const Model& model, const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
   const auto& pairs = assembler.pairs();
   const bool first = last.partner.size() != pairs.size();
   last.partner.resize(pairs.size(), kNone);
   last.status.resize(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (!first && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
-    if (!first && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
+    const bool counts = !first && !model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[p].face].crack);
+    if (counts && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
+    if (counts && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
     last.partner[p] = pairs[p].partner_face;
     last.status[p] = pairs[p].state.traction.status;
+  }
+  const auto& hats = assembler.multipliers().nodes();
+  const bool seen = last.hats.size() == hats.size();
+  last.hats.resize(hats.size());
+  for (std::size_t i = 0; i < hats.size(); ++i) {
+    const Index state = state_of(hats[i]);
+    if (seen && last.hats[i] != state) ++out.status_changes;
+    last.hats[i] = state;
   }
   const auto& plastic = assembler.plastic();
   const bool any = last.flows.size() == plastic.size();
@@ -137,8 +152,7 @@ void tally(const Assembler& assembler, const History& history, Tally& last, Iter
 std::vector<Index> contact_state(const Assembler& assembler) {
   std::vector<Index> out;
   for (const auto& pair : assembler.pairs()) out.push_back(pair.partner_face);
-  for (const auto& node : assembler.multipliers().nodes())
-    out.push_back(4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0));
+  for (const auto& node : assembler.multipliers().nodes()) out.push_back(state_of(node));
   return out;
 }
 
@@ -217,7 +231,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     it.assembly_seconds = seconds() - assembly_before;
-    tally(assembler, state.history, last, it);
+    tally(model, assembler, state.history, last, it);
 
     VecX rhs = dead - assembler.internal_force();
     double reactions = 0.0;
