@@ -64,7 +64,7 @@ constexpr std::array kKeys = {
     Key{"crack.contact", "method", "text", "penalty | mortar"},
     Key{"crack.contact", "normal_penalty", "number", "Pa/m; default E/h"},
     Key{"crack.contact", "tangential_penalty", "number", "Pa/m; default E/h"},
-    Key{"crack.contact", "smoothing", "number", "of mortar contact's tractions; 0: exact constraints; default 1"},
+    Key{"crack.contact", "smoothing", "number", "of mortar contact's tractions; 0: exact constraints; default 2"},
     Key{"crack.contact", "hat_width", "number", "of mortar contact, element sizes; default 1, without smoothing 2"},
     Key{"crack", "growth", "table", "when and how far its tips advance; default: never"},
     Key{"crack.growth", "criterion", "text", "rankine | hoop-stress"},

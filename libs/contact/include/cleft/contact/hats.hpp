@@ -16,7 +16,7 @@ namespace cleft::contact {
 struct Mortar {
   bool on = false;          ///< else by penalty
   double hat_width = 1.0;   ///< distance of the nodes, element sizes
-  double smoothing = 1.0;   ///< of the tractions within an interval (multipliers.hpp); 0: exact constraints
+  double smoothing = 2.0;   ///< of the tractions within an interval (multipliers.hpp); 0: exact constraints
   double scale = 0.0;       ///< Pa/m; a multiplier's unknown is the multiplier divided by it, metres
   double compliance = 0.0;  ///< h / (2 mu), m/Pa, of an element at the crack
 };

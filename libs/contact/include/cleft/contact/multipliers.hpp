@@ -18,7 +18,7 @@
 ///     slip     l_T = -mu l_N sign(r_T)            else
 ///     touch    l_T = 0                            where the node was open when the last increment had converged
 ///
-/// Z with tau = 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183): what
+/// Z with tau of about 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183): what
 /// the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h its
 /// size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an interval
 /// has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then takes the
