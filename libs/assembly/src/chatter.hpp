@@ -1,4 +1,4 @@
-// Iterations that go round in circles: the contact state repeats every second time.
+// Iterations that go round in circles: the contact comes back to a state that it had left.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@ namespace cleft::assembly {
 /// Watches the states of an increment's iterates.
 class Chatter {
  public:
-  /// Takes an iterate: what every contact point and hat is doing, as numbers, and the residual. True where the state is
-  /// that of the last but one iterate and not that of the last, and the residual has not fallen to a tenth meanwhile: a
-  /// full correction would lead to the other state again. Each such answer starts the count anew.
+  /// Takes an iterate: what every contact point and hat is doing, as numbers, and the residual. True where an earlier
+  /// iterate, with others in between, was in the same state and the residual has not halved since: a full correction
+  /// would lead round the same circle. Each such answer starts the watch anew.
   bool repeats(std::vector<Index> state, double residual);
 
  private:

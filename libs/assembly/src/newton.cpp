@@ -263,7 +263,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence,
                             fmt::format("relative residual {:.2e} after {} iterations{}", it.residual, i,
-                                        circles == 0 ? "" : ", the contact chatters between two states"),
+                                        circles == 0 ? "" : ", the contact chatters: it returns to states that it has left"),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
       return out;
     }

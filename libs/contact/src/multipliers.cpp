@@ -146,7 +146,11 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     s.status = Status::Stick;
     out.value.y() = node.length * s.tangential;
     out.by_own(1, 1) = c * node.length;
-  } else if (std::fabs(tangential) <= friction * std::max(0.0, -trial) + touch) {
+  } else if (std::fabs(tangential) <= friction * std::max(0.0, -trial) + touch ||
+             (tangential * s.tangential < 0.0 && std::fabs(s.tangential) > -0.5 * friction * s.normal &&
+              s.normal < 0.0)) {
+    // Who slides against the traction that it bears has to stick before it may slide the other way: without that nodes
+    // would jump from one sense to the other and back.
     s.status = Status::Stick;
     level(1, s.slip);
   } else {

@@ -14,16 +14,17 @@
 ///
 ///     open     l_N = 0                            where   L_i l_N + c (G_i - Z_i(l_N)) >= 0   (trial r_N)
 ///     closed   G_i - Z_i(l_N) = 0                 else
-///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= -mu r_N   (trial r_T)
+///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= -mu r_N   (trial r_T),
+///                                                 or r_T l_T < 0: it must stick before it slides the other way
 ///     slip     l_T = -mu l_N sign(r_T)            else
 ///     touch    l_T = 0                            where the node was open when the last increment had converged
 ///
-/// Z with tau of about 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183): what
-/// the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h its
-/// size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an interval
-/// has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then takes the
-/// tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the interval was
-/// covered then (o = 1): Z does not depend on the size of the increments.
+/// Z with tau of about 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183):
+/// what the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h
+/// its size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an
+/// interval has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then
+/// takes the tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the
+/// interval was covered then (o = 1): Z does not depend on the size of the increments.
 ///
 /// Where both faces carry hats, each with half of the weight, Z has the further part h / (2 mu) int phi_i (l - l') ds,
 /// with l' what the other face bears: the faces' tractions are two unknowns for one, and where they are the same each
