@@ -113,5 +113,20 @@ TEST(ContactPressure, OfMortarContactDoesNotOscillateAndKeepsTheFacesApart) {
   }
 }
 
+TEST(ContactPressure, OfExactMortarContactLeavesNoOverlapOfAnyHat) {
+  Case table("block to half load, mortar contact without smoothing");
+  const SolvedModel run(half_loaded({}, "method='mortar',smoothing=0"));
+  double worst = 0.0;
+  int closed = 0;
+  for (const auto& node : run.stepper.assembler().multipliers().nodes()) {
+    if (!node.supported || node.status == contact::Status::Open) continue;
+    ++closed;
+    if (!node.leans) worst = std::max(worst, std::fabs(node.gap) / node.support);
+  }
+  EXPECT_GT(closed, 5);
+  table.compare("mean gap of a closed hat, over h", worst / run.model.surfaces.element_size, exact(0.0),
+                within(1e-8, "what the iteration leaves"));
+}
+
 }  // namespace
 }  // namespace cleft::verification
