@@ -15,7 +15,8 @@
 ///     open     l_N = 0                            where   L_i l_N + c (G_i - Z_i(l_N)) >= 0   (trial r_N)
 ///     closed   G_i - Z_i(l_N) = 0                 else
 ///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= -mu r_N   (trial r_T),
-///                                                 or r_T l_T < 0: it must stick before it slides the other way
+///                                                 or l_T is above half of the strength and r_T l_T < 0: what slid one
+///                                                 way must stick before it slides the other
 ///     slip     l_T = -mu l_N sign(r_T)            else
 ///     touch    l_T = 0                            where the node was open when the last increment had converged
 ///
@@ -30,7 +31,7 @@
 /// with l' what the other face bears: the faces' tractions are two unknowns for one, and where they are the same each
 /// face's mean gap vanishes.
 ///
-/// c, a stiffness C/h of the elements, only makes units equal. Conditions are in N/m, multipliers in metres (times c),
+/// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
 #pragma once
 
