@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "chatter.hpp"
+
 namespace cleft::assembly {
 namespace {
 
@@ -41,6 +43,8 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
   Eigen::Index worst = 0;
   const double most = du.cwiseAbs().maxCoeff(&worst);
   if (most <= bound) return {};
+  if (worst / 2 >= model.unknowns.displacements())
+    return fmt::format("a contact multiplier would change by {:.1e} m times its stiffness", most);
   const Index node = model.unknowns.node_of[worst / 2];
   if (node == kNone) return fmt::format("a branch function would move by {:.1e}", most);
   return fmt::format("node {} at ({:.6g}, {:.6g}) would move by {:.1e} m", node, model.mesh.nodes[node].x(),
@@ -106,19 +110,34 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
 struct Tally {
   std::vector<Index> partner;
   std::vector<contact::Status> status;
+  std::vector<Index> hats;
   std::vector<bool> flows;
 };
 
-void tally(const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
+Index state_of(const contact::NodeState& node) {
+  return 4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0);
+}
+
+// Points of mortar contact only show what its hats do; their partners may change without a kink.
+void tally(const Model& model, const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
   const auto& pairs = assembler.pairs();
   const bool first = last.partner.size() != pairs.size();
   last.partner.resize(pairs.size(), kNone);
   last.status.resize(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (!first && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
-    if (!first && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
+    const bool counts = !first && !model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[p].face].crack);
+    if (counts && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
+    if (counts && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
     last.partner[p] = pairs[p].partner_face;
     last.status[p] = pairs[p].state.traction.status;
+  }
+  const auto& hats = assembler.multipliers().nodes();
+  const bool seen = last.hats.size() == hats.size();
+  last.hats.resize(hats.size());
+  for (std::size_t i = 0; i < hats.size(); ++i) {
+    const Index state = state_of(hats[i]);
+    if (seen && last.hats[i] != state) ++out.status_changes;
+    last.hats[i] = state;
   }
   const auto& plastic = assembler.plastic();
   const bool any = last.flows.size() == plastic.size();
@@ -128,6 +147,13 @@ void tally(const Assembler& assembler, const History& history, Tally& last, Iter
     if (any && last.flows[c] != flows) ++out.status_changes;
     last.flows[c] = flows;
   }
+}
+
+std::vector<Index> contact_state(const Assembler& assembler) {
+  std::vector<Index> out;
+  for (const auto& pair : assembler.pairs()) out.push_back(pair.partner_face);
+  for (const auto& node : assembler.multipliers().nodes()) out.push_back(state_of(node));
+  return out;
 }
 
 // In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
@@ -189,6 +215,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   if (model.is_linear()) move_boundary(constraints, target, u, change);
 
   Tally last;
+  Chatter chatter;
+  int circles = 0;
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
   for (int i = 0;; ++i) {
@@ -203,7 +231,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     it.assembly_seconds = seconds() - assembly_before;
-    tally(assembler, state.history, last, it);
+    tally(model, assembler, state.history, last, it);
 
     VecX rhs = dead - assembler.internal_force();
     double reactions = 0.0;
@@ -234,7 +262,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     if (i == controls.max_iterations || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence,
-                            fmt::format("relative residual {:.2e} after {} iterations", it.residual, i),
+                            fmt::format("relative residual {:.2e} after {} iterations{}", it.residual, i,
+                                        circles == 0 ? "" : ", the contact chatters: it returns to states that it has left"),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
       return out;
     }
@@ -276,6 +305,12 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
                       : "prescribing more components, or bringing the parts into contact (is every part of the body "
                         "held?)"};
       return out;
+    }
+    if (!model.surfaces.hats.empty() && in_place && chatter.repeats(contact_state(assembler), residual)) {
+      constexpr double kDamped = 0.5;
+      du *= kDamped;
+      it.chatters = true;
+      ++circles;
     }
     u += du;
     move_boundary(constraints, target, u, change);
