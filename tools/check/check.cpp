@@ -62,9 +62,11 @@ int check(const Options& options) {
   print("unknowns, standard", fmt::format("{}, {} of them prescribed", 2 * model.unknowns.nodes, constraints.size()));
   const auto& numbers = model.unknowns;
   print("unknowns, enriched", fmt::format("{}", 2 * (numbers.first_amplitude - numbers.nodes)));
-  if (numbers.count > numbers.first_amplitude)
-    print("unknowns of tips", fmt::format("{}, {} quadrature points", 2 * (numbers.count - numbers.first_amplitude),
-                                          model.tip_points.size()));
+  if (numbers.displacements() > numbers.first_amplitude)
+    print("unknowns of tips",
+          fmt::format("{}, {} quadrature points", 2 * (numbers.displacements() - numbers.first_amplitude),
+                      model.tip_points.size()));
+  if (numbers.multipliers > 0) print("unknowns of contact", fmt::format("{}", 2 * numbers.multipliers));
   print("contact points", fmt::format("{}", model.surfaces.points.size()));
   for (std::size_t k = 0; k < model.cracks.size(); ++k) {
     const auto& cut = model.cut.cracks[k];
@@ -76,8 +78,11 @@ int check(const Options& options) {
                                end(cut.ends[0]), end(cut.ends[1])));
     const auto& law = model.surfaces.laws[k];
     if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
-    print("", fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
-                          law.tangential_penalty));
+    const auto& mortar = scene.cracks[k].mortar;
+    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes",
+                                      law.friction, mortar.smoothing, mortar.hat_width)
+                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
+                                      law.tangential_penalty));
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));

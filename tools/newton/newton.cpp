@@ -36,12 +36,15 @@ void print(const verify::RateVerdict& v, const Options& options) {
   fmt::print("increments {}, judged {}", v.increments, v.judged);
   if (v.judged > 0)
     fmt::print(
-        " ({} by a lower bound, {} by two corrections), order {:.4g} or more in {} of them\norder: lowest {:.2f}, "
+        " ({} by a lower bound), order {:.4g} or more in {} of them\norder: lowest {:.2f}, "
         "quartiles {:.2f}, {:.2f}, "
         "{:.2f}, highest {:.2f}",
-        v.bounds, v.scaled, options.required.order, v.reach, v.orders[0], v.orders[1], v.orders[2], v.orders[3],
-        v.orders[4]);
+        v.bounds, options.required.order, v.reach, v.orders[0], v.orders[1], v.orders[2], v.orders[3], v.orders[4]);
   fmt::print("\n");
+  if (v.scaled > 0)
+    fmt::print(
+        "{} more are over after two corrections, the second as small as that order makes it (no miss can show)\n",
+        v.scaled);
   if (!v.missed.empty()) fmt::print("below the order (* after a change of partner or status):\n");
   for (const auto& rate : v.missed) fmt::print("{}\n", evidence(rate));
   if (!v.unjudged.empty()) {

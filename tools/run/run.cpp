@@ -52,8 +52,8 @@ void print_summary(const scene::RunResult& r, const std::string& directory) {
   fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
              r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);
   if (r.contact_microseconds > 0) fmt::print(", {:.2f} us a contact point", r.contact_microseconds);
-  fmt::print("; peak memory {:.0f} MB\nresults in {}: history.csv, fields.pvd, run.json\n", r.peak_megabytes,
-             directory);
+  fmt::print("; peak memory {:.0f} MB\nresults in {}: history.csv, {}fields.pvd, run.json\n", r.peak_megabytes,
+             directory, r.advances > 0 ? "growth.csv, " : "");
 }
 
 struct Options {

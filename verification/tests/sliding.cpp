@@ -1,4 +1,5 @@
 // Sliding by many element lengths: Coulomb's ratio of the forces, and indifference to rigid rotation.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,9 +67,19 @@ void expect_same_after_rotation(const Solved& run, Case& table, double friction,
                 within(0, "only on the cone rounding may tell stick from slip"));
 }
 
-TEST(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) {
-  Case table("rotation by 90 deg, sliding");
-  const Solved run = solve("rotation");
+// Contact by the default method, and by mortar with and without smoothing.
+class Rotation : public testing::TestWithParam<const char*> {
+ protected:
+  static Solved turned(double friction) {
+    std::vector<std::string> overrides{fmt::format("crack.joint.friction={}", friction)};
+    if (*GetParam() != '\0') overrides.push_back(fmt::format("crack.joint.contact={{{}}}", GetParam()));
+    return solve("rotation", overrides);
+  }
+};
+
+TEST_P(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) {
+  Case table(fmt::format("rotation by 90 deg, sliding {}", GetParam()));
+  const Solved run = turned(0.3);
   expect_same_after_rotation(run, table, 0.3, "slip");
   const double pressed = run.at("external_work", 0.5);
   table.compare("work of the turn over that before", run.at("external_work", 1.0) / pressed - 1.0, exact(0),
@@ -77,10 +88,16 @@ TEST(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) {
                 within(1e-4, "trapezoidal sums of work and friction over 10 increments"));
 }
 
-TEST(Rotation, LeavesTractionsOfAStickingCrackAsTheyAre) {
-  Case table("rotation by 90 deg, sticking");
-  expect_same_after_rotation(solve("rotation", {"crack.joint.friction=0.6"}), table, 0.6, "stick");
+TEST_P(Rotation, LeavesTractionsOfAStickingCrackAsTheyAre) {
+  Case table(fmt::format("rotation by 90 deg, sticking {}", GetParam()));
+  expect_same_after_rotation(turned(0.6), table, 0.6, "stick");
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, Rotation, testing::Values("", "method='mortar'", "method='mortar',smoothing=0"),
+                         [](const auto& method) {
+                           const std::string name = method.param;
+                           return name.empty() ? "Default" : name.ends_with("0") ? "ExactMortar" : "Mortar";
+                         });
 
 }  // namespace
 }  // namespace cleft::verification

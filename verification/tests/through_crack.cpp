@@ -72,6 +72,38 @@ TEST_P(ThroughCrack, SlidesOnlyWhereFrictionIsBelowTheTangentOfItsAngle) {
       within(1e-3 * 1e5, "a thousandth of the force that a crack that sticks carries: the free part slides off"));
 }
 
+TEST_P(ThroughCrack, CarriesUniformTractionsByMortarContactWhereverItCutsTheMesh) {
+  const Joint& joint = GetParam();
+  for (const char* contact : {"method='mortar'", "method='mortar',smoothing=0"})
+    for (const char* side : {"left", "right", "both"})
+      for (const double height : {0.5, 0.4871, 0.52}) {
+        if (std::string(side) == "both" && std::string(contact) != "method='mortar'") continue;
+        Case table(fmt::format("through crack at {}, {}, {}", joint.name, contact, side));
+        const double rise = 0.5 * joint.slope;
+        const Solved run = solve(
+            "through_crack", {fmt::format("crack.joint.points=[[0.0,{}],[1.0,{}]]", height - rise, height + rise),
+                              fmt::format("crack.joint.friction={}", 1.1 * joint.tangent()),
+                              fmt::format("crack.joint.contact={{{}}}", contact),
+                              fmt::format("crack.joint.negative_side={}", side), "solver.residual_tolerance=1e-11"});
+        std::vector<double> normal, shear;
+        double mean_normal = 0.0, mean_shear = 0.0;
+        const auto rows = run.profile("joint", 1.0);
+        for (const Row& row : rows) {
+          normal.push_back(number(row, "tn"));
+          shear.push_back(std::fabs(number(row, "tt")));
+          mean_normal += normal.back() / static_cast<double>(rows.size());
+          mean_shear += shear.back() / static_cast<double>(rows.size());
+        }
+        const double stress = 1e10 / (1 - 0.25 * 0.25) * 1e-5;
+        table.compare("vertical force, N/m", run.at("fy_top", 1.0), exact(-stress),
+                      within_part(2e-5, "strains of 1e-5"));
+        table.compare("normal traction, worst", farthest(normal, mean_normal), exact(mean_normal),
+                      within_part(1e-8, "what the iteration leaves"));
+        table.compare("shear traction, worst", farthest(shear, mean_shear), exact(mean_shear),
+                      within_part(1e-8, "what the iteration leaves"));
+      }
+}
+
 INSTANTIATE_TEST_SUITE_P(Joints, ThroughCrack,
                          testing::Values(Joint{"20 deg", 0.3639702342662}, Joint{"-35 deg", -0.7}),
                          [](const auto& joint) { return joint.param.slope > 0.0 ? "Rising" : "Falling"; });

@@ -57,7 +57,7 @@ TEST(WingCrack, EachTipAdvancesFourTimesAndTheWingsOpen) {
     ASSERT_EQ(own.size(), 4U) << tip;
     EXPECT_EQ(own.back().at("stop"), "most");
     table.compare(fmt::format("first turn of the {}, degrees", tip), number(own[0], "turn"), exact(45.0),
-                  within(5.0, "shear of mode II only, but for what the held ends add"));
+                  within(5.0, "shear of mode II only, but for the stress far away; tips end at edges"));
     for (const auto& row : own)
       table.compare(fmt::format("{} {} off the axis of compression, degrees", tip, row.at("advance")), off_axis(row),
                     exact(0.0), within(5.0, "wings lead along the load; elements of 0.6 of an advance"));
@@ -139,19 +139,19 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
 // pressure nearly cancel in it, so that its own error counts eight times in the load. All four advances:
 // verification/README.md.
 TEST(WingCrack, LoadOfTheFirstAdvanceConverges) {
-  Case table("wing crack, 25, 50 and 100 cells");
+  Case table("wing crack, 30, 60 and 100 cells");
   std::vector<double> first;
-  for (const auto& [cells, down] : {std::pair{25, 0.0096}, {50, 0.0081}, {100, 0.0078}}) {  // to just beyond it
+  for (const auto& [cells, down] : {std::pair{30, 0.0090}, {60, 0.0080}, {100, 0.0080}}) {  // to a little beyond it
     const Solved run =
-        solve("wing_crack", {fmt::format("mesh.cells=[{0},{0}]", cells), "formulation.tip_enrichment=0.06",
-                             "loading.steps=4", fmt::format("boundary.top.uy={}", -down), "crack.main.growth.most=1"});
-    const auto own = of_tip(advances_of(run), "end");
-    ASSERT_EQ(own.size(), 1U);
-    first.push_back(down * number(own[0], "load"));
+        solve("wing_crack",
+              {fmt::format("mesh.cells=[{0},{0}]", cells), "formulation.tip_enrichment=0.1", "loading.steps=4",
+               fmt::format("boundary.top.uy={}", -down), "crack.main.growth.most=1", "crack.main.growth.tips='end'"});
+    const auto rows = advances_of(run);
+    ASSERT_EQ(rows.size(), 1U);
+    first.push_back(down / 0.03 * number(rows[0], "load"));
   }
-  EXPECT_LT(std::fabs(first[2] - first[1]), 0.5 * std::fabs(first[1] - first[0])) << "of first order at least";
-  table.compare("first load, 50 over 100 cells", first[1] / first[2], exact(1.0),
-                within(0.05, "eight errors of 0.6 %"));
+  EXPECT_LT(std::fabs(first[2] - first[1]), 0.5 * std::fabs(first[1] - first[0]));
+  table.compare("load, 60 over 100 cells", first[1] / first[2], exact(1.0), within(0.03, "eight errors of 0.4 %"));
 }
 
 TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
@@ -166,7 +166,7 @@ TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
   // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see verification/README.md
   const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
   EXPECT_GT(some / little, tension(0.1) / tension(0.3));
-  EXPECT_LT(some, 1.0);
+  EXPECT_LT(some, 0.7);
 }
 
 // A closed crack that slides has mode II only, whose largest hoop stress is at acos(1/3) from it.
@@ -192,8 +192,9 @@ TEST(WingCrack, FirstKinkOfTheHoopStressIsThatOfModeTwo) {
                 within(0.02, "error of the intensity"));
 }
 
-// Where advances are short beside the length (K_I/T)^2 over which a turn is made good, the path is smooth: first
-// further away from the axis, to where K_II vanishes, then steadily back to it.
+// Where advances are short beside the length (K_I/T)^2 over which a wrong turn is made good (T is the stress along the
+// wing), the path settles: the first kink, of 70.5 degrees, is short of where K_II vanishes, the next ones swing about
+// that way, and from the fifth on each turns back to the load a little.
 TEST(WingCrack, WingsOfTheHoopStressTurnSteadilyToTheLoad) {
   Case table("wing crack, hoop stress, short advances");
   const Solved run =
@@ -203,6 +204,8 @@ TEST(WingCrack, WingsOfTheHoopStressTurnSteadilyToTheLoad) {
                            "crack.main.growth.most=10", "crack.main.growth.load_tolerance=1e-3"});
   const auto own = of_tip(advances_of(run), "end");
   ASSERT_GE(own.size(), 9U);
+  for (std::size_t k = 2; k < 4; ++k)  // the swings die out
+    EXPECT_LT(std::fabs(number(own[k], "turn")), 1.01 * std::fabs(number(own[k - 1], "turn"))) << "advance " << k + 1;
   for (std::size_t k = 4; k < own.size(); ++k) {
     EXPECT_LT(number(own[k], "turn"), 0.0) << "advance " << k + 1;
     EXPECT_GT(number(own[k], "angle"), kToCompression) << "advance " << k + 1;

@@ -29,6 +29,11 @@ bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair) 
   return pair.state.traction.status == contact::Status::Stick && pair.anchored && !surfaces.undeformed;
 }
 
+// Whether a contact point only shows what its crack's hats carry.
+bool is_mortar(const contact::Surfaces& surfaces, std::size_t point) {
+  return !surfaces.hats.empty() && surfaces.is_mortar(surfaces.faces[surfaces.points[point].face].crack);
+}
+
 }  // namespace
 
 AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
@@ -41,9 +46,10 @@ AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
 
 Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
-    const auto memory = contact::memory_at_rest(model.surfaces);
-    search_.run(model.surfaces, VecX::Zero(model.unknowns.components()), memory, 0.0, pairs_);
-    make_room(memory);
+    History rest{contact::memory_at_rest(model.surfaces)};
+    if (!model.surfaces.hats.empty()) rest.hats = contact::hats_at_rest(model.surfaces);
+    find_contact(VecX::Zero(model.unknowns.components()), rest);
+    make_room(rest);
   }
   build_pattern();
 }
@@ -69,6 +75,12 @@ void Assembler::build_pattern() {
     if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
   }
   for (const auto& tie : model_.ties) couple(tie.unknown, tie.unknown);
+  const auto& hats = model_.surfaces.hats;
+  const Index first = model_.surfaces.first_multiplier;
+  for (const auto& interval : hats.intervals) {
+    const std::array<Index, 2> ends{first + interval.first, first + interval.second};
+    couple(ends, ends);
+  }
   std::vector<Index> together;
   for (std::size_t f = 0; f < room_.size(); ++f) {
     if (room_[f].empty()) continue;
@@ -77,6 +89,16 @@ void Assembler::build_pattern() {
     for (const Index g : room_[f])
       together.insert(together.end(), model_.surfaces.faces[g].start.unknown.begin(),
                       model_.surfaces.faces[g].start.unknown.end());
+    if (!hats.empty()) {
+      const auto add_hats = [&](Index face) {
+        for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
+          const auto& interval = hats.intervals[hats.strips[k].interval];
+          together.insert(together.end(), {first + interval.first, first + interval.second});
+        }
+      };
+      add_hats(static_cast<Index>(f));
+      for (const Index g : room_[f]) add_hats(g);
+    }
     std::sort(together.begin(), together.end());
     together.erase(std::unique(together.begin(), together.end()), together.end());
     couple(together, together);
@@ -97,7 +119,8 @@ void Assembler::build_pattern() {
   ++version_;
 }
 
-void Assembler::make_room(const std::vector<contact::Memory>& memory) {
+void Assembler::make_room(const History& history) {
+  const auto& memory = history.contact;
   for (auto& faces : room_) faces.clear();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     auto& faces = room_[model_.surfaces.points[p].face];
@@ -106,16 +129,27 @@ void Assembler::make_room(const std::vector<contact::Memory>& memory) {
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
     if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
   }
+  for (const auto& piece : multipliers_.pieces())
+    add_with_neighbours(model_.surfaces.faces, piece.partner, kRoom,
+                        room_[model_.surfaces.hats.strips[piece.strip].face]);
+  for (const auto& trail : history.hats.trails) room_[trail.face].push_back(trail.anchor_face);
   for (auto& faces : room_) {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   }
 }
 
-bool Assembler::has_room(const std::vector<contact::Memory>& memory) const {
+bool Assembler::has_room(const History& history) const {
+  const auto& memory = history.contact;
+  for (const auto& piece : multipliers_.pieces()) {
+    const auto& faces = room_[model_.surfaces.hats.strips[piece.strip].face];
+    const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
+    if (!holds(piece.partner)) return false;
+    if (piece.trail != kNone && !holds(history.hats.trails[piece.trail].anchor_face)) return false;
+  }
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
-    if (!contact::presses(pair)) continue;
+    if (!contact::presses(pair) || is_mortar(model_.surfaces, p)) continue;
     const auto& faces = room_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(pair.partner_face) || !holds(pair.mouth_face)) return false;
@@ -129,10 +163,10 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   if (model_.has_contact()) {
     {
       const PhaseTimer timer(seconds_.contact);
-      search_.run(model_.surfaces, displacement, history.contact, history.deepest, pairs_);
+      find_contact(displacement, history);
     }
-    if (!has_room(history.contact)) {
-      make_room(history.contact);
+    if (!has_room(history)) {
+      make_room(history);
       build_pattern();
     }
   }
@@ -144,6 +178,7 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
     assemble_contact(history.contact);
+    if (!model_.surfaces.hats.empty()) assemble_hats(history.hats);
     force_ += contact_force_;
   }
   for (Eigen::Index c = 0; c < force_.size(); ++c)
@@ -271,6 +306,20 @@ void Assembler::add_ties(const VecX& displacement) {
   }
 }
 
+void Assembler::find_contact(const VecX& displacement, const History& history) {
+  const auto& s = model_.surfaces;
+  search_.run(s, displacement, history.contact, history.deepest, pairs_);
+  if (s.hats.empty()) return;
+  multipliers_.run(s, face_positions(), pairs_, displacement, history.hats);
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
+    auto& state = pairs_[p].state;
+    const bool past = state.partner < 0.0 || state.partner > 1.0;
+    state.ramp = past ? 0.0 : 1.0;
+    state.traction = past ? contact::Traction{} : multipliers_.traction(s, s.points[p].face, s.points[p].eta);
+  }
+}
+
 void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
   const PhaseTimer timer(seconds_.contact);
   const auto& faces = model_.surfaces.faces;
@@ -282,7 +331,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
   std::array<Column, 4 * enrichment::ShortList<Index>::kCapacity> columns;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
-    if (!contact::presses(pair)) continue;
+    if (!contact::presses(pair) || is_mortar(model_.surfaces, p)) continue;
     const auto index = static_cast<Index>(p);
     const auto force =
         model_.surfaces.undeformed
@@ -318,6 +367,88 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
         if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
         matrix_.add(matrix_.find(row.unknown, column.unknown), block);
       }
+    }
+  }
+}
+
+void Assembler::assemble_hats(const contact::HatMemory& memory) {
+  const PhaseTimer timer(seconds_.contact);
+  const auto& surfaces = model_.surfaces;
+  const auto& faces = surfaces.faces;
+  const auto& hats = surfaces.hats;
+  const auto& conditions = multipliers_.conditions();
+  const Index first = surfaces.first_multiplier;
+  hat_force_.setZero(model_.unknowns.components());
+  struct Column {
+    Index unknown;
+    double start, end;  // weights of the two inputs at `input`, `input + 2`
+    int input;
+  };
+  std::array<Column, 3 * enrichment::ShortList<Index>::kCapacity + 4> columns;
+  using Rows = Eigen::Matrix<double, 2, contact::kPieceInputs>;
+  for (std::size_t p = 0; p < multipliers_.pieces().size(); ++p) {
+    const auto& piece = multipliers_.pieces()[p];
+    const auto& integrals = multipliers_.integrals()[p];
+    const auto& strip = hats.strips[piece.strip];
+    const auto& interval = hats.intervals[strip.interval];
+    int count = 0;
+    const auto add = [&](Index f, int input) {
+      for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {
+        const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
+        if (s != 0.0 || e != 0.0) columns[count++] = {faces[f].start.unknown[k], s, e, input};
+      }
+    };
+    add(strip.face, 0);
+    add(piece.partner, 4);
+    const int rows = count;
+    if (piece.trail != kNone && !surfaces.undeformed) add(memory.trails[piece.trail].anchor_face, 8);
+    const double scale = surfaces.mortar[faces[strip.face].crack].scale;
+    columns[count++] = {first + interval.first, scale, 0.0, 12};
+    columns[count++] = {first + interval.second, scale, 0.0, 14};
+    if (piece.partner_strip != kNone) {
+      const auto& opposite = hats.intervals[hats.strips[piece.partner_strip].interval];
+      const double other_scale = surfaces.mortar[faces[piece.partner].crack].scale;
+      columns[count++] = {first + opposite.first, other_scale, 0.0, 16};
+      columns[count++] = {first + opposite.second, other_scale, 0.0, 18};
+    }
+
+    const auto scatter = [&](Index unknown, const Rows& t) {
+      for (int c = 0; c < count; ++c) {
+        const auto& column = columns[c];
+        Mat2 block = column.start * t.middleCols<2>(column.input);
+        if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
+        matrix_.add(matrix_.find(unknown, column.unknown), block);
+      }
+    };
+    for (int r = 0; r < rows; ++r) {
+      const auto& row = columns[r];
+      const Vec2 force =
+          row.start * integrals.value.segment<2>(row.input) + row.end * integrals.value.segment<2>(row.input + 2);
+      hat_force_.segment<2>(2 * row.unknown) += force;
+      scatter(row.unknown, row.start * integrals.derivative.middleRows<2>(row.input) +
+                               row.end * integrals.derivative.middleRows<2>(row.input + 2));
+    }
+    for (const Index node : {interval.first, interval.second}) {
+      const auto& condition = conditions[node];
+      const int k = node == interval.first ? 0 : 1;
+      const Vec2& by_cover = condition.by_cover[strip.interval == hats.nodes[node].before ? 0 : 1];
+      const auto& d = integrals.derivative;
+      Rows row = condition.by_integral.asDiagonal() * d.middleRows<2>(contact::kGapOutput + 2 * k);
+      row += condition.by_beyond.asDiagonal() * d.middleRows<2>(contact::kDifferenceOutput + 2 * k);
+      row += by_cover * (d.row(contact::kSupportOutput) + d.row(contact::kSupportOutput + 1));
+      scatter(first + node, row);
+    }
+  }
+  contact_force_ += hat_force_;
+  for (Index node = 0; node < static_cast<Index>(hats.nodes.size()); ++node) {
+    const auto& condition = conditions[node];
+    force_.segment<2>(2 * (first + node)) += condition.value;
+    matrix_.add(matrix_.find(first + node, first + node), condition.by_own);
+    for (int k = 0; k < 2; ++k) {
+      const Index e = k == 0 ? hats.nodes[node].before : hats.nodes[node].after;
+      if (e == kNone) continue;
+      const Index other = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
+      matrix_.add(matrix_.find(first + node, first + other), condition.by_neighbour[k]);
     }
   }
 }

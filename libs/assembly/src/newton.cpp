@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "chatter.hpp"
 #include "places.hpp"
 
 namespace cleft::assembly {
@@ -43,17 +44,19 @@ std::string flew_away(const Model& model, const VecX& du, double bound) {
   Eigen::Index worst = 0;
   const double most = du.cwiseAbs().maxCoeff(&worst);
   if (most <= bound) return {};
-  return fmt::format("{} would move by {:.1e} m", place_of(model, static_cast<Index>(worst)), most);
+  const char* unit = worst / 2 < model.unknowns.displacements() ? " m" : " m times its stiffness";
+  return fmt::format("{} would move by {:.1e}{}", place_of(model, static_cast<Index>(worst)), most, unit);
 }
 
 // What an iteration that does not converge looks like at its end.
-std::string unrest(const Model& model, const Iteration& last, int iterations, const VecX& residual) {
+std::string unrest(const Model& model, const Iteration& last, int iterations, const VecX& residual, int halved) {
   Eigen::Index worst = 0;
   residual.cwiseAbs().maxCoeff(&worst);
   std::string out = fmt::format("relative residual {:.2e} after {} iterations, largest at {}", last.residual,
                                 iterations, place_of(model, static_cast<Index>(worst)));
   if (const int changes = last.status_changes + last.partner_changes; changes > 0)
     out += fmt::format(", {} points still changing between open, stick, slip or flow", changes);
+  if (halved > 0) out += fmt::format(" (they chatter; {} corrections were halved)", halved);
   return out;
 }
 
@@ -116,19 +119,34 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
 struct Tally {
   std::vector<Index> partner;
   std::vector<contact::Status> status;
+  std::vector<Index> hats;
   std::vector<bool> flows;
 };
 
-void tally(const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
+Index state_of(const contact::NodeState& node) {
+  return 4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0);
+}
+
+// Points of mortar contact only show what its hats do; their partners may change without a kink.
+void tally(const Model& model, const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
   const auto& pairs = assembler.pairs();
   const bool first = last.partner.size() != pairs.size();
   last.partner.resize(pairs.size(), kNone);
   last.status.resize(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (!first && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
-    if (!first && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
+    const bool counts = !first && !model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[p].face].crack);
+    if (counts && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
+    if (counts && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
     last.partner[p] = pairs[p].partner_face;
     last.status[p] = pairs[p].state.traction.status;
+  }
+  const auto& hats = assembler.multipliers().nodes();
+  const bool seen = last.hats.size() == hats.size();
+  last.hats.resize(hats.size());
+  for (std::size_t i = 0; i < hats.size(); ++i) {
+    const Index state = state_of(hats[i]);
+    if (seen && last.hats[i] != state) ++out.status_changes;
+    last.hats[i] = state;
   }
   const auto& plastic = assembler.plastic();
   const bool any = last.flows.size() == plastic.size();
@@ -139,27 +157,6 @@ void tally(const Assembler& assembler, const History& history, Tally& last, Iter
     last.flows[c] = flows;
   }
 }
-
-// Contact points may go round in circles: from the state of one iterate the linearised problem leads to that of
-// another, and so on back to the first, however small the increment. Half a correction leaves the circle.
-class Chatter {
- public:
-  // Whether the correction of this iteration, counted from 0, is to be halved.
-  bool halves(int iteration, const Iteration& it) {
-    const bool slow = it.residual > kSlow * least_;
-    if (iteration > 0) least_ = std::min(least_, it.residual);  // a body at rest is in balance before it is moved
-    const bool out = iteration >= kPatience && slow && it.status_changes + it.partner_changes > 0;
-    halved_ += out;
-    return out;
-  }
-  int halved() const { return halved_; }
-
- private:
-  static constexpr int kPatience = 4;   // increments that go well have settled by then
-  static constexpr double kSlow = 0.5;  // times the least residual so far: what does not converge
-  double least_ = std::numeric_limits<double>::infinity();
-  int halved_ = 0;
-};
 
 // In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
 bool hides_forces(const RoundingFloor& rounding, double scale) {
@@ -235,7 +232,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     it.assembly_seconds = seconds() - assembly_before;
-    tally(assembler, state.history, last, it);
+    tally(model, assembler, state.history, last, it);
 
     VecX rhs = dead - assembler.internal_force();
     double reactions = 0.0;
@@ -266,7 +263,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     const int most = controls.max_iterations + std::min(chatter.halved(), controls.max_iterations);
     if (i == most || (i > 3 && residual > 1e8 * (first_residual + floor))) {
-      out.failure = Failure{FailureKind::NoConvergence, unrest(model, it, i, rhs),
+      out.failure = Failure{FailureKind::NoConvergence, unrest(model, it, i, rhs, chatter.halved()),
                             "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
       return out;
     }
@@ -309,7 +306,10 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
                         "held?)"};
       return out;
     }
-    if (!along_path && chatter.halves(i, it)) du *= 0.5;  // the prescribed components have arrived by then
+    if (!along_path && in_place && chatter.halves(i, it)) {
+      du *= 0.5;
+      it.chatters = true;
+    }
     u += du;
     move_boundary(constraints, target, u, change);
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();

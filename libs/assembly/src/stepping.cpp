@@ -218,6 +218,12 @@ Step LoadStepper::commit(const Increment& increment) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
+    if (model_.surfaces.is_mortar(model_.surfaces.faces[model_.surfaces.points[p].face].crack)) {
+      if (contact::presses(pairs_[p])) state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
+      state_.history.contact[p] =
+          contact::follow(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.history.contact[p]);
+      continue;
+    }
     const auto step =
         contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.history.contact[p]);
     const auto& law = model_.surfaces.laws[model_.surfaces.faces[model_.surfaces.points[p].face].crack];
@@ -230,6 +236,18 @@ Step LoadStepper::commit(const Increment& increment) {
     }
     energies.friction_dissipation += weight * step.dissipation;
     state_.history.contact[p] = step.memory;
+  }
+
+  if (!model_.surfaces.hats.empty()) {
+    auto& hats = state_.history.hats;
+    const double stored = contact::stored_energy(model_.surfaces, hats);
+    VecX forces = assembler_.hat_force();
+    if (hats.force.size() > 0) forces += hats.force;
+    hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
+    hats.force = assembler_.hat_force();
+    const double now = contact::stored_energy(model_.surfaces, hats);
+    energies.contact += now;
+    energies.friction_dissipation += 0.5 * forces.dot(increment.displacement - state_.displacement) - (now - stored);
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);

@@ -38,7 +38,9 @@ RC_GTEST_PROP(WeakestDirection, IsBelowEveryDirectionOfAScan, ()) {
   const Scan s = scan(moduli);
   RC_ASSERT(found.angle >= 0.0);
   RC_ASSERT(found.angle < 180.0);
-  RC_ASSERT(found.value <= s.lowest + 1e-13 * s.size);
+  // of directions alike within 1e-13 of the largest coefficient, twice the determinant of an isotropic tangent, the
+  // first one is found
+  RC_ASSERT(found.value <= s.lowest + 3e-13 * s.size);
   RC_ASSERT(found.value >= s.lowest - 2e-5 * s.size);  // the scan is that fine
   RC_ASSERT(std::abs(acoustic_determinant(moduli, found.angle) - found.value) <= 1e-12 * s.size);
 }

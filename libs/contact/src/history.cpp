@@ -92,4 +92,19 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   return {next, work};
 }
 
+Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
+  const PairState& now = pair.state;
+  Memory next;
+  next.slip = memory.slip;
+  next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
+  if (!presses(pair)) return next;
+  if (pair.anchored && now.traction.status == Status::Slip) next.slip += std::fabs(now.tangential_gap);
+  next.anchor_face = pair.partner_face;
+  next.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : now.partner;
+  next.normal = now.traction.normal;
+  next.tangential = now.traction.tangential;
+  next.slope = now.slope;
+  return next;
+}
+
 }  // namespace cleft::contact

@@ -33,6 +33,15 @@ Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   return out;
 }
 
+Index add_multipliers(Unknowns& unknowns, Index count) {
+  const Index first = unknowns.count;
+  unknowns.multipliers += count;
+  unknowns.count += count;
+  unknowns.node_of.resize(unknowns.count, kNone);
+  unknowns.side_of.resize(unknowns.count);
+  return first;
+}
+
 Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element,
                    int corner, geometry::Side side) {
   const Index node = mesh.triangles[element.element][corner];

@@ -109,6 +109,11 @@ Edges edges_of(const Mesh& mesh) {
   return out;
 }
 
+std::array<Vec2, 3> corners(const Mesh& mesh, Index t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  return {mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]};
+}
+
 double triangle_area(const Mesh& mesh, Index t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return 0.5 * cross(mesh.nodes[b] - mesh.nodes[a], mesh.nodes[c] - mesh.nodes[a]);

@@ -87,13 +87,6 @@ std::vector<Vec2> polygon_of(const Piece& piece) {
   return polygon;
 }
 
-std::array<Vec2, 3> whole_triangle(const Mesh& mesh, Index t) {
-  std::array<Vec2, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = mesh.nodes[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][k])];
-  return corners;
-}
-
 // Areas below rounding count as none: a crack along an edge takes nothing from the triangle.
 constexpr double kNoArea = 1e-14;
 
@@ -129,7 +122,7 @@ std::optional<Division> divide(const Mesh& mesh, Index t, const std::vector<Path
   if (division.area[small] <= kNoArea * total) {  // below 0 where snapping has turned a sliver inside out
     division.area[small] = 0.0;
     division.sub_triangles[small].clear();
-    division.sub_triangles[1 - small] = {whole_triangle(mesh, t)};
+    division.sub_triangles[1 - small] = {corners(mesh, t)};
   }
   division.area[1 - small] = total - division.area[small];
   return division;

@@ -19,17 +19,14 @@ Vec2 place_of(const assembly::Model& model, Index point) {
 }
 
 double area_within(const geometry::Disc& disc, const assembly::Model& model, Index point) {
+  const auto whole = [&](Index element) { return geometry::area_within(disc, geometry::corners(model.mesh, element)); };
   const auto cells = static_cast<Index>(model.cells.size());
   if (point >= cells) {
     const auto& at = model.tip_points[point - cells];
-    const bool inside = (at.reference - disc.centre).squaredNorm() <= disc.radius * disc.radius;
-    return inside ? at.weight : 0.0;
+    return at.weight * whole(at.element) / geometry::triangle_area(model.mesh, at.element);
   }
   const auto& cell = model.cells[point];
-  if (cell.cut == kNone) {
-    const auto& t = model.mesh.triangles[cell.element];
-    return geometry::area_within(disc, {model.mesh.nodes[t[0]], model.mesh.nodes[t[1]], model.mesh.nodes[t[2]]});
-  }
+  if (cell.cut == kNone) return whole(cell.element);
   double area = 0.0;
   for (const auto& part : model.cut.elements[cell.cut].sub_triangles[static_cast<std::size_t>(cell.side)])
     area += geometry::area_within(disc, part);

@@ -10,7 +10,8 @@ namespace cleft::growth {
 /// the point itself in the ball of a tip.
 Vec2 place_of(const assembly::Model& model, Index point);
 
-/// Area of what a material point stands for within a disc, m^2; the points in the ball of a tip count whole or not.
+/// Area of what a material point stands for within a disc, m^2: exactly, for a triangle or one side of a cut one; of a
+/// point in the ball of a tip as large a part as of its triangle.
 double area_within(const geometry::Disc& disc, const assembly::Model& model, Index point);
 
 }  // namespace cleft::growth

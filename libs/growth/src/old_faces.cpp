@@ -2,20 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cleft::growth {
 namespace {
 
 using assembly::Model;
-
-// Arc lengths of a crack at which its faces are the same before and after. Where an end has moved that is as far as the
-// crack was drawn: its cut may have ended beyond, on the way to the next element edge, and the longer crack may take
-// another way from there.
-struct Kept {
-  double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
-  bool holds(double s) const { return first <= s && s <= last; }
-};
 
 Kept kept_of(const geometry::Crack& before, const geometry::Crack& after) {
   Kept kept;
@@ -81,13 +72,18 @@ class Anchors {
 
 }  // namespace
 
+std::vector<Kept> kept_parts(const Model& from, const Model& to) {
+  std::vector<Kept> out;
+  for (std::size_t c = 0; c < from.cracks.size(); ++c) out.push_back(kept_of(from.cracks[c], to.cracks[c]));
+  return out;
+}
+
 std::vector<contact::Memory> contact_on(const Model& from, const std::vector<contact::Memory>& memory,
                                         const Model& to) {
   std::vector<std::vector<Index>> points_of(from.surfaces.faces.size());
   for (Index p = 0; p < static_cast<Index>(from.surfaces.points.size()); ++p)
     points_of[from.surfaces.points[p].face].push_back(p);
-  std::vector<Kept> kept;
-  for (std::size_t c = 0; c < from.cracks.size(); ++c) kept.push_back(kept_of(from.cracks[c], to.cracks[c]));
+  const std::vector<Kept> kept = kept_parts(from, to);
   const Anchors anchors(from, to, kept);
   auto out = contact::memory_at_rest(to.surfaces);
   for (Index p = 0; p < static_cast<Index>(out.size()); ++p) {

@@ -10,15 +10,20 @@
 namespace cleft::growth {
 namespace {
 
-// Calls visit(point, area, weight) for the material points with an area within a radius of a tip; weight is their
-// whole.
+// Calls visit(point, area) for the material points with an area within a radius of a tip. Returns whether the disc is
+// larger than every triangle that it meets.
 template <class Visit>
-void around(const assembly::Model& m, const TipName& tip, double radius, const Visit& visit) {
+bool around(const assembly::Model& m, const TipName& tip, double radius, const Visit& visit) {
   const geometry::Disc disc{geometry::tip_of(m.cracks[tip.crack], tip.end).point, radius};
-  assembly::for_each_material_point(m, [&](std::size_t p, const auto&, double weight) {
+  double all = 0.0, largest = 0.0;
+  assembly::for_each_material_point(m, [&](std::size_t p, const auto& point, double) {
     const double area = area_within(disc, m, static_cast<Index>(p));
-    if (area > 0.0) visit(static_cast<Index>(p), area, weight);
+    if (area == 0.0) return;
+    all += area;
+    largest = std::max(largest, geometry::triangle_area(m.mesh, point.element));
+    visit(static_cast<Index>(p), area);
   });
+  return all > largest;
 }
 
 struct Principal {
@@ -35,19 +40,14 @@ Principal largest_principal(const Mat2& s) {
 }  // namespace
 
 bool spans_elements(const assembly::Model& model, const TipName& tip, double radius) {
-  double within = 0.0, largest = 0.0;
-  around(model, tip, radius, [&](Index, double area, double weight) {
-    within += area;
-    largest = std::max(largest, weight);
-  });
-  return within > largest;
+  return around(model, tip, radius, [](Index, double) {});
 }
 
 Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) const {
   const auto& m = body.model;
   double area = 0.0;
   Mat2 stress = Mat2::Zero(), deformation = Mat2::Zero();
-  around(m, tip, radius, [&](Index p, double within, double) {
+  const bool spans = around(m, tip, radius, [&](Index p, double within) {
     const Mat2 F = assembly::material_deformation(m, p, body.displacement);
     const auto& remembered = body.plastic.empty() ? constitutive::PlasticState{} : body.plastic[p];
     area += within;
@@ -55,7 +55,7 @@ Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) con
     deformation += within * F;
   });
   Demand out;
-  if (area == 0.0) {
+  if (!spans) {
     out.measure = Demand::kUnknown;
     return out;
   }

@@ -18,6 +18,7 @@ struct Square {
   geometry::Diagonal diagonal = geometry::Diagonal::Left;
   Vec2 top{0.0, 0.01};  ///< metres at full load
   double friction = 0.1;
+  bool mortar = false;  ///< contact by multipliers instead of springs
   assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)};
 
   assembly::Model operator()(const std::vector<geometry::Crack>& grown) const {
@@ -37,6 +38,14 @@ struct Square {
     s.sides.assign(grown.size(), contact::NegativeSide::Right);
     s.undeformed = m.is_small_strain();
     s.points = contact::place_points(s, 2);
+    if (mortar) {
+      s.mortar.assign(grown.size(), {true, 1.0, 1.0, 1e10 / s.element_size, s.element_size / 1e10});
+      std::vector<contact::HatPlan> plan(s.faces.size());
+      for (std::size_t f = 0; f < plan.size(); ++f)
+        if (s.is_negative(s.faces[f])) plan[f].spacing = s.element_size;
+      s.hats = contact::make_hats(s.faces, plan);
+      s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+    }
     const auto hold = [&](const char* on, const Vec2& at_full_load) {
       auto unknowns = geometry::boundary_nodes(m.mesh, on);
       for (std::size_t k = 0, nodes = unknowns.size(); k < nodes; ++k)

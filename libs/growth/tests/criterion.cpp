@@ -109,10 +109,32 @@ TEST(Rankine, IsTheMeanOverTheDisc) {
   }
 }
 
+// Elements of 0.1, so triangles of 0.005 m^2: a disc of as much has a radius of 0.0399.
 TEST(Rankine, WantsADiscLargerThanAnElement) {
-  const Homogeneous body(Mat2::Identity());
-  EXPECT_FALSE(spans_elements(body.model, {0, 1}, 1e-4));
-  EXPECT_TRUE(spans_elements(body.model, {0, 1}, 0.12));
+  for (const double ball : {0.0, 0.2}) {
+    auto square = bodies::edge_crack();
+    square.cracks[0].tip_radius = ball;
+    const auto model = square();
+    EXPECT_FALSE(spans_elements(model, {0, 1}, 0.0398)) << ball;
+    EXPECT_TRUE(spans_elements(model, {0, 1}, 0.0401)) << ball;
+  }
+}
+
+// With branch functions the mean is over as much of the solid: of a field that is uniform it is that field, and with
+// the tip's own field it depends smoothly on the radius.
+TEST(Rankine, IsSmoothInTheRadiusWithinTheBallOfATip) {
+  auto square = bodies::edge_crack();
+  square.cracks[0].tip_radius = 0.25;
+  square.cells = {20, 20};
+  Evolution body(square(), bodies::in_steps(1));
+  ASSERT_FALSE(bodies::run(body).failure);
+  const auto e = body.stepper().equilibrium();
+  const auto stress = [&](double radius) { return Rankine({1e8, radius}).judge(e, {0, 1}).stress; };
+  for (double r = 0.08; r < 0.22; r += 0.01) {
+    const double ratio = stress(r) / stress(r + 0.001);
+    EXPECT_GT(ratio, 1.0) << r;
+    EXPECT_LT(ratio, 1.0 + 2.0 * 0.5 * 0.001 / r) << r << ": of a mean of 1/r^(1/2) half of dr/r";
+  }
 }
 
 TEST(HoopStress, IsLargestWhereTheClosedFormsSay) {

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 6\n";
+constexpr char kMagic[] = "cleft checkpoint 7\n";
 
 struct Writer {
   std::string out;
@@ -101,6 +101,19 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.history.plastic, [&](constitutive::PlasticState& p) {
     io(p.deformation);
     io(p.accumulated);
+  });
+  auto& hats = s.history.hats;
+  pass(io, hats.status, io);
+  pass(io, hats.multiplier);
+  pass(io, hats.coverage, io);
+  pass(io, hats.force);
+  pass(io, hats.trails, [&](contact::Trail& t) {
+    io(t.face);
+    io(t.begin);
+    io(t.end);
+    io(t.anchor_face);
+    io(t.anchor_begin);
+    io(t.anchor_end);
   });
   io(s.energies);
   pass(io, s.prescribed_force);

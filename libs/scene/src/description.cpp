@@ -45,7 +45,8 @@ Json crack(const CrackSpec& c) {
   else
     for (const Vec2& p : c.points) j["points"].push_back(point(p));
   if (c.intensities) j["intensities"] = true;
-  j["contact"] = {{"method", "penalty"}};
+  j["contact"] = {{"method", c.mortar.on ? "mortar" : "penalty"}};
+  if (c.mortar.on) j["contact"].update({{"smoothing", c.mortar.smoothing}, {"hat_width", c.mortar.hat_width}});
   if (c.normal_penalty) j["contact"]["normal_penalty"] = *c.normal_penalty;
   if (c.tangential_penalty) j["contact"]["tangential_penalty"] = *c.tangential_penalty;
   if (c.growth) j["growth"] = growth_of(*c.growth);

@@ -31,6 +31,37 @@ geometry::CutMesh cut_located(const Scene& scene, const geometry::Mesh& mesh,
   }
 }
 
+double largest_poisson(const Scene& scene) {
+  double out = 0.0;
+  for (const auto& material : scene.materials) out = std::max(out, material.poisson);
+  return out;
+}
+
+// Stiffness of mortar contact and its hats.
+void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly::Model& m) {
+  auto& s = m.surfaces;
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
+    auto mortar = scene.cracks[k].mortar;
+    if (mortar.on) {
+      mortar.scale = scale.empty() ? s.laws[k].normal_penalty : scale[k] / (1.0 + largest_poisson(scene));
+      mortar.compliance = 1.0 / mortar.scale;
+      s.laws[k].normal_penalty = s.laws[k].tangential_penalty = mortar.scale;
+    }
+    s.mortar.push_back(mortar);
+  }
+  std::vector<contact::HatPlan> plan(s.faces.size());
+  for (Index f = 0; f < static_cast<Index>(plan.size()); ++f) {
+    const auto& face = s.faces[f];
+    if (!s.is_mortar(face.crack) || !s.is_negative(face)) continue;
+    const auto& segment = m.cut.segments[f / 2];
+    const Index element = segment.cut == kNone ? m.cut.tips[segment.tip].element : m.cut.elements[segment.cut].element;
+    plan[f] = {s.mortar[face.crack].hat_width * element_size(m.mesh, element),
+               s.sides[face.crack] == contact::NegativeSide::Both ? 0.5 : 1.0};
+  }
+  s.hats = contact::make_hats(s.faces, plan);
+  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+}
+
 // With the laws of an earlier cut of the same cracks, where there is one: the penalty is a property of the crack.
 void set_up_contact(const Scene& scene, const std::vector<contact::Law>& earlier, assembly::Model& m) {
   auto& s = m.surfaces;
@@ -48,6 +79,8 @@ void set_up_contact(const Scene& scene, const std::vector<contact::Law>& earlier
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
+  if (std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.mortar.on; }))
+    set_up_hats(scene, scale, m);
 }
 
 // The unknowns of nodes whose displacement is prescribed: their own, and the ghosts of two that a crack divides.

@@ -20,6 +20,21 @@ void read_formulation(const Section& s, Scene& out) {
   out.kinematics = small ? Kinematics::Small : Kinematics::Finite;
 }
 
+void read_contact(const Section& s, CrackSpec& out) {
+  out.mortar.on = s.has("method") && s.choice("method", {"penalty", "mortar"}) == "mortar";
+  for (const char* key : {"normal_penalty", "tangential_penalty"})
+    if (out.mortar.on && s.has(key))
+      s.fail(key, "mortar contact has no springs; allowed with method = \"penalty\" only");
+  for (const char* key : {"smoothing", "hat_width"})
+    if (!out.mortar.on && s.has(key)) s.fail(key, "belongs to mortar contact; allowed with method = \"mortar\" only");
+  out.normal_penalty = s.maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
+  out.tangential_penalty = s.maybe_number("tangential_penalty", kPositive, "a positive number, Pa/m");
+  if (!out.mortar.on) return;
+  out.mortar.smoothing = s.number_or("smoothing", out.mortar.smoothing, kNotNegative, "0 or greater");
+  const double width = out.mortar.smoothing > 0.0 ? 1.0 : 2.0;
+  out.mortar.hat_width = s.number_or("hat_width", width, kPositive, "a positive number of element sizes");
+}
+
 CrackSpec read_crack(const Section& s, std::size_t number) {
   CrackSpec out;
   out.at = s.at();
@@ -53,9 +68,7 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
   out.friction = s.number_or("friction", 0.0, kNotNegative, "0 or greater");
   out.intensities = s.flag_or("intensities", false);
   if (const auto c = s.section("contact", "crack.contact")) {
-    if (c->has("method")) c->choice("method", {"penalty"});
-    out.normal_penalty = c->maybe_number("normal_penalty", kPositive, "a positive number, Pa/m");
-    out.tangential_penalty = c->maybe_number("tangential_penalty", kPositive, "a positive number, Pa/m");
+    read_contact(*c, out);
   }
   if (const auto g = s.section("growth", "crack.growth")) {
     out.growth = read_growth(*g);

@@ -51,7 +51,7 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
                       "is larger ({:.3g} m): the crack turns there",
                       crack, growth->advance, scene.tip_enrichment));
     if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
-    if (law.normal_penalty > kStiff * scale[k])
+    if (!scene.cracks[k].mortar.on && law.normal_penalty > kStiff * scale[k])
       out.push_back(
           fmt::format("{}: the normal penalty is {:.3g} times E/h ({:.4g} Pa/m); expect an oscillating contact "
                       "pressure, and smaller increments",

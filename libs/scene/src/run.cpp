@@ -95,7 +95,8 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
                {"cut_elements", model.cut.elements.size()}};
   j["unknowns"] = {{"standard", 2 * model.unknowns.nodes},
                    {"enriched", 2 * (model.unknowns.first_amplitude - model.unknowns.nodes)},
-                   {"tips", 2 * (model.unknowns.count - model.unknowns.first_amplitude)},
+                   {"tips", 2 * (model.unknowns.displacements() - model.unknowns.first_amplitude)},
+                   {"multipliers", 2 * model.unknowns.multipliers},
                    {"prescribed", stepper.constraints().size()},
                    {"contact_points", model.surfaces.points.size()}};
   j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric
@@ -128,6 +129,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   j["cuts"] = result.cuts;
   for (std::size_t k = 0; k < model.surfaces.laws.size(); ++k) {
     const auto& law = model.surfaces.laws[k];
+    if (model.surfaces.is_mortar(static_cast<Index>(k))) continue;
     j["penalties"][model.cracks[k].name] = {{"normal", law.normal_penalty}, {"tangential", law.tangential_penalty}};
   }
   j["overlap"] = result.overlap;

@@ -73,7 +73,7 @@ std::optional<std::string> free_motion(const assembly::Model& m) {
   const Vec2 centre = 0.5 * (low + high);
   Parts parts = parts_of(m);
   std::map<Index, Hold> holds;
-  for (Index k = 0; k < m.unknowns.count; ++k) {
+  for (Index k = 0; k < m.unknowns.displacements(); ++k) {
     Hold& hold = holds[parts.of(k)];
     if (hold.example == kNone) hold.example = k;  // nodes come first
   }

@@ -51,7 +51,7 @@ TEST(Run, ResumesBetweenAdvancesOfACrackBitForBit) {
   const Scene scene = scene_of(R"(
 [mesh]
 box = [0.0, 0.0, 1.0, 1.0]
-cells = [12, 12]
+cells = [20, 20]
 diagonal = "left"
 [material]
 model = "hencky"

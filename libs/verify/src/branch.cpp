@@ -28,6 +28,52 @@ const char* block_of(const contact::Pair& pair, const contact::Memory& memory) {
   return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
 }
 
+const char* block_of(const contact::NodeState& node) {
+  if (node.leans) return "contact hat leaning";
+  if (node.status == Status::Open) return "contact hat open";
+  return node.status == Status::Stick ? "contact hat stick" : "contact hat slip";
+}
+
+void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
+               std::vector<Index>& out) {
+  const auto& surfaces = model.surfaces;
+  const auto& hats = surfaces.hats;
+  const auto add_nodes = [&](Index interval) {
+    for (const Index node : {hats.intervals[interval].first, hats.intervals[interval].second})
+      out.push_back(surfaces.first_multiplier + node);
+  };
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    const auto &s = a.nodes()[i], &t = b.nodes()[i];
+    if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans)
+      out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
+  }
+  const auto add_piece = [&](const contact::Piece& piece) {
+    const auto& strip = hats.strips[piece.strip];
+    add_nodes(strip.interval);
+    if (piece.partner_strip != kNone) add_nodes(hats.strips[piece.partner_strip].interval);
+    for (const Index face : {strip.face, piece.partner})
+      for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
+  };
+  // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
+  // end of a trail the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths jumps
+  // that compares the tractions of two faces with hats.
+  const auto stands_out = [&](const contact::Piece& piece) {
+    const auto& face = surfaces.faces[hats.strips[piece.strip].face];
+    return piece.trail == kNone || piece.partner_strip != kNone || (face.previous == kNone && piece.begin == 0.0) ||
+           (face.next == kNone && piece.end == 1.0);
+  };
+  const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
+    for (const auto& piece : of.pieces())
+      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& other) {
+            return other.strip == piece.strip && (other.trail == kNone) == (piece.trail == kNone) &&
+                   (piece.partner_strip == kNone ? stands_out(other) : other.partner_strip == piece.partner_strip);
+          }))
+        add_piece(piece);
+  };
+  add_missing(a, b);
+  add_missing(b, a);
+}
+
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
                          const contact::Memory& memory) {
   PairUnknowns out;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cleft/assembly/model.hpp"
-#include "cleft/contact/search.hpp"
+#include "cleft/contact/multipliers.hpp"
 
 namespace cleft::verify {
 
@@ -12,8 +12,20 @@ namespace cleft::verify {
 /// other. Null if nothing does.
 const char* kink_between(const contact::Pair& a, const contact::Pair& b);
 
+/// Whether a contact point only shows what its crack's hats carry.
+inline bool is_mortar(const assembly::Model& model, Index point) {
+  return model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[point].face].crack);
+}
+
 /// "contact stick" and the like.
 const char* block_of(const contact::Pair& pair, const contact::Memory& memory);
+
+/// "contact hat stick" and the like.
+const char* block_of(const contact::NodeState& node);
+
+/// Adds the unknowns in whose rows the hats' tractions or conditions are not differentiable between two states.
+void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
+               std::vector<Index>& out);
 
 /// Unknowns on which the force of a point may depend; the first `forces` of them are those on which it acts.
 struct PairUnknowns {

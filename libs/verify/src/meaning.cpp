@@ -12,6 +12,12 @@ const char* name_of(geometry::Side side) { return side == geometry::Side::Left ?
 std::string describe_component(const assembly::Model& model, Index component) {
   if (component == kNone) return "a displacement on which the force should not depend";
   const Index unknown = component / 2, node = model.unknowns.node_of[unknown];
+  if (unknown >= model.unknowns.displacements()) {
+    const auto& hat = model.surfaces.hats.nodes[unknown - model.unknowns.displacements()];
+    return fmt::format("{} multiplier of crack {}, {} face, arc length {:.6g}",
+                       component % 2 == 0 ? "normal" : "tangential", model.cracks[hat.crack].name, name_of(hat.side),
+                       hat.s);
+  }
   if (node == kNone) {
     const Index k = unknown - model.unknowns.first_amplitude, tip = k / enrichment::kBranches;
     const Vec2& at = model.cut.tips[tip].frame.tip();

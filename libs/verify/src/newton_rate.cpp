@@ -49,13 +49,10 @@ RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement
   for (const auto& rate : rates) {
     const bool reaches = rate.order && rate.order->order >= required.order;
     if (!reaches && (!rate.order || rate.order->at_least)) {
-      if (rate.at_unit_scale && *rate.at_unit_scale >= required.order) {
-        orders.push_back(*rate.at_unit_scale);
-        ++out.reach;
+      if (rate.at_unit_scale && *rate.at_unit_scale >= required.order)
         ++out.scaled;
-      } else {
+      else
         out.unjudged.push_back(rate);
-      }
       continue;
     }
     orders.push_back(rate.order->order);
@@ -64,7 +61,7 @@ RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement
     if (!reaches) out.missed.push_back(rate);
   }
   out.judged = orders.size();
-  out.enough = 2 * out.judged >= out.increments && out.judged > 0;
+  out.enough = 2 * (out.judged + out.scaled) >= out.increments && out.judged > 0;
   if (orders.empty()) return out;
   std::sort(orders.begin(), orders.end());
   for (std::size_t k = 0; k < out.orders.size(); ++k)

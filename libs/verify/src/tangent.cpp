@@ -15,17 +15,19 @@ namespace {
 // Points are judged at the origin; in the body at large the rounding of positions is larger. Times the least step.
 constexpr double kClearOfRounding = 4.0;
 
-TangentBlock check_whole(const assembly::Model& model, const assembly::History& history, const VecX& u,
-                         const std::vector<double>& step, double load, double tolerance,
-                         assembly::Assembler& assembler) {
+void check_whole(const assembly::Model& model, const assembly::History& history, const VecX& u,
+                 const std::vector<double>& step, double load, double tolerance, assembly::Assembler& assembler,
+                 TangentReport& report) {
   const assembly::BlockMatrix matrix = assembler.matrix();
   const std::vector<contact::Pair> base = assembler.pairs();
+  const contact::Multipliers hats = assembler.multipliers();
   const auto evaluate = [&](const VecX& there) {
     WholeForce out;
     const bool failed = assembler.assemble(there, history).has_value();
     out.force = failed ? VecX::Constant(u.size(), std::nan("")) : assembler.internal_force();
+    if (!model.surfaces.hats.empty()) add_kinks(model, hats, assembler.multipliers(), out.kinked);
     for (std::size_t p = 0; p < base.size(); ++p) {
-      if (!kink_between(base[p], assembler.pairs()[p])) continue;
+      if (is_mortar(model, static_cast<Index>(p)) || !kink_between(base[p], assembler.pairs()[p])) continue;
       for (const auto* pair : {&base[p], &assembler.pairs()[p]}) {
         const auto unknowns = unknowns_of(model, static_cast<Index>(p), *pair, history.contact[p]);
         out.kinked.insert(out.kinked.end(), unknowns.all.begin(),
@@ -34,14 +36,17 @@ TangentBlock check_whole(const assembly::Model& model, const assembly::History& 
     }
     return out;
   };
-  return check_matrix(matrix, u, step, evaluate, load, tolerance);
-}
-
-void add(TangentBlock& to, const TangentBlock& from) {
-  if (to.entries == 0 || from.worst.error() > to.worst.error()) to.worst = from.worst;
-  to.pieces += from.pieces;
-  to.entries += from.entries;
-  to.left_out += from.left_out;
+  TangentBlock& assembled = report.blocks["assembled"];
+  ++assembled.pieces;
+  std::vector<TangentBlock*> of_hats;
+  for (const auto& node : hats.nodes()) {
+    of_hats.push_back(&report.blocks[block_of(node)]);
+    ++of_hats.back()->pieces;
+  }
+  check_matrix(matrix, u, step, evaluate, load, tolerance, [&](Index unknown) -> TangentBlock& {
+    const Index hat = unknown - model.unknowns.displacements();
+    return hat < 0 ? assembled : *of_hats[hat];
+  });
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ bool TangentReport::enough() const {
   long points = 0;
   for (const auto& [name, block] : blocks) {
     if (block.entries < block.left_out) return false;
-    if (name.starts_with("contact") && name != "contact open") points += block.pieces;
+    if (name.starts_with("contact") && !name.ends_with("open")) points += block.pieces;
   }
   return points > 0 || std::none_of(kinks.begin(), kinks.end(), [](const auto& k) { return k.point != kNone; });
 }
@@ -78,7 +83,7 @@ std::optional<assembly::Failure> check_tangent(const assembly::Model& model, con
   if (model.has_contact()) SinglePoints(model, history, u, lengths).check(load, tolerance, report, step);
   const double least = kClearOfRounding * least_step(lengths.reach, tolerance);
   for (double& h : step) h = std::max(h, least);
-  add(report.blocks["assembled"], check_whole(model, history, u, step, load, tolerance, assembler));
+  check_whole(model, history, u, step, load, tolerance, assembler, report);
   ++report.states;
   return std::nullopt;
 }

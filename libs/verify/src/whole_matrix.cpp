@@ -18,10 +18,8 @@ VecX largest_of_rows(const assembly::BlockMatrix& matrix) {
 
 }  // namespace
 
-TangentBlock check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
-                          const Evaluate& evaluate, double load, double tolerance) {
-  TangentBlock block;
-  block.pieces = 1;
+void check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
+                  const Evaluate& evaluate, double load, double tolerance, const BlockOfRow& block_of) {
   const VecX scale = largest_of_rows(matrix);
   for (const auto& group : colour_columns(matrix)) {
     std::vector<Index> owner(matrix.size(), kNone);  // of each block row: the column of this group with an entry in it
@@ -41,6 +39,7 @@ TangentBlock check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, co
         for (const Index i : at.kinked) kinked[i] = true;
       }
       for (Index row = 0; row < matrix.rows(); ++row) {
+        TangentBlock& block = block_of(row / 2);
         const Index j = owner[row / 2], column = j == kNone ? kNone : 2 * j + direction;
         if (kinked[row / 2]) {
           ++block.left_out;
@@ -54,7 +53,6 @@ TangentBlock check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, co
       }
     }
   }
-  return block;
 }
 
 }  // namespace cleft::verify

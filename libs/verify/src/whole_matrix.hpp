@@ -16,9 +16,12 @@ struct WholeForce {
 };
 using Evaluate = std::function<WholeForce(const VecX& u)>;
 
+/// The block that takes the entries of a row of unknowns.
+using BlockOfRow = std::function<TangentBlock&(Index unknown)>;
+
 /// Compares all columns with steps given per unknown, many columns at a time. A force that changes although none of the
 /// moved columns has an entry in its row is an entry that the matrix lacks (with column kNone).
-TangentBlock check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
-                          const Evaluate& evaluate, double load, double tolerance);
+void check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
+                  const Evaluate& evaluate, double load, double tolerance, const BlockOfRow& block_of);
 
 }  // namespace cleft::verify

@@ -32,17 +32,24 @@ TEST(JudgeRates, CountsOrdersAndBoundsThatReachWhatIsRequired) {
   EXPECT_TRUE(v.holds);
 }
 
-// What is known of the order goes first; two corrections only help where it leaves the question open, and never fail.
-TEST(JudgeRates, TakesTwoCorrectionsWhereNoOrderIsKnown) {
+// What is known of the order goes first; two corrections only count where it leaves the question open.
+TEST(JudgeRates, TakesTwoCorrectionsForEnoughOnly) {
   auto known = rate(1.6), bound = rate(1.2, true), none = IncrementRate{}, slow = IncrementRate{};
   known.at_unit_scale = bound.at_unit_scale = none.at_unit_scale = 2.0;
   slow.at_unit_scale = 1.4;
-  const auto v = judge({rate(2.0), known, bound, none, slow}, {});
-  EXPECT_EQ(v.judged, 4u);
-  EXPECT_EQ(v.reach, 3u);
+  const auto v = judge({rate(2.0), known, bound, none, slow}, {.share = 0.5});
+  EXPECT_EQ(v.judged, 2u);
   EXPECT_EQ(v.scaled, 2u);
   EXPECT_EQ(v.missed.size(), 1u);
   EXPECT_EQ(v.unjudged.size(), 1u);
+  EXPECT_TRUE(v.enough);
+  EXPECT_TRUE(v.holds);
+
+  std::vector<IncrementRate> many(57, none);
+  many.insert(many.end(), 4, known);
+  EXPECT_TRUE(judge(many, {}).enough);
+  EXPECT_FALSE(judge(many, {}).holds) << "they do not outweigh what misses";
+  EXPECT_FALSE(judge(std::vector(9, none), {}).holds) << "one order at least must be known";
 }
 
 TEST(JudgeRates, GivesTheQuartilesOfTheOrders) {

@@ -42,6 +42,33 @@ long number_of(const TangentReport& report, const std::string& reason) {
   return std::count_if(report.kinks.begin(), report.kinks.end(), [&](const auto& k) { return k.reason == reason; });
 }
 
+TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
+  struct Run {
+    const char* scene;
+    std::vector<std::string> overrides;
+    std::vector<const char*> branches;
+  };
+  const std::vector<Run> runs{{"block", {"mesh.cells=[8,16]"}, {"contact hat slip"}},
+                              {"rotation", {"crack.joint.friction=0.6", "loading.steps=10"}, {"contact hat stick"}}};
+  for (const auto& run : runs) {
+    const std::string crack = std::string(run.scene) == "block" ? "main" : "joint";
+    for (const char* contact : {"{method='mortar'}", "{method='mortar',smoothing=0}"})
+      for (const char* side : {"left", "right", "both"}) {
+        // vertices that lie opposite each other are kinks of all hats on both sides, while the crack sticks
+        if (std::string(side) == "both" && crack == "joint") continue;
+        auto overrides = run.overrides;
+        overrides.push_back("crack." + crack + ".contact=" + contact);
+        overrides.push_back("crack." + crack + ".negative_side=" + side);
+        Subject body(run.scene, overrides);
+        TangentReport report = body.along_the_run(3);
+        EXPECT_LT(report.worst(), 1e-8) << run.scene << contact << side;
+        EXPECT_TRUE(report.enough());
+        for (const char* branch : run.branches) EXPECT_GT(report.blocks[branch].entries, 0) << branch;
+        EXPECT_EQ(report.blocks.count("contact slip"), 0U) << "the points carry nothing themselves";
+      }
+  }
+}
+
 TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
   for (const char* side : {"left", "right", "both"}) {
     Subject block("block", {"mesh.cells=[8,16]", std::string("crack.main.negative_side=") + side});

@@ -35,12 +35,15 @@ struct Chain {
     return f;
   }
   TangentBlock check(std::vector<Index> kinked = {}) const {
-    return check_matrix(
+    TangentBlock out;
+    out.pieces = 1;
+    check_matrix(
         matrix, u, {0x1p-17, 0x1p-17, 0x1p-18},
         [&](const VecX& at) {
           return WholeForce{force(at), kinked};
         },
-        0.0, 1e-6);
+        0.0, 1e-6, [&](Index) -> TangentBlock& { return out; });
+    return out;
   }
 };
 

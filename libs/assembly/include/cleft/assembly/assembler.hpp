@@ -31,11 +31,15 @@ class Assembler {
   /// assembled once; after that only forces are. A value: the failure, if the state has no forces.
   [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const History& history);
 
-  const VecX& internal_force() const { return force_; }  ///< N/m, bulk and contact
+  /// N/m, bulk and contact; in the rows of multipliers what their conditions miss.
+  const VecX& internal_force() const { return force_; }
   const VecX& contact_force() const { return contact_force_; }
+  const VecX& hat_force() const { return hat_force_; }  ///< the part of it that mortar contact has; empty without
   BlockMatrix& matrix() { return matrix_; }
   const BlockMatrix& matrix() const { return matrix_; }
+  /// Of all contact points; those of mortar contact show the tractions of its hats.
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
+  const contact::Multipliers& multipliers() const { return multipliers_; }
   /// What the material points would remember of this state; empty if the material has no memory.
   const std::vector<constitutive::PlasticState>& plastic() const { return plastic_; }
   const contact::FacePositions& face_positions() const { return search_.positions(); }
@@ -57,11 +61,13 @@ class Assembler {
   };
 
   void build_pattern();
-  void make_room(const std::vector<contact::Memory>& memory);
-  bool has_room(const std::vector<contact::Memory>& memory) const;
+  void make_room(const History& history);
+  bool has_room(const History& history) const;
+  void find_contact(const VecX& displacement, const History& history);
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);
+  void assemble_hats(const contact::HatMemory& memory);
   template <class Law, class Point, std::size_t unknowns>
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                  const Point& point, double weight, const Places<unknowns>& places);
@@ -75,9 +81,10 @@ class Assembler {
   const Model& model_;
   contact::Search search_;
   std::vector<contact::Pair> pairs_;
+  contact::Multipliers multipliers_;
   std::vector<constitutive::PlasticState> plastic_;
   bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
-  VecX force_, contact_force_;
+  VecX force_, contact_force_, hat_force_;
   BlockMatrix matrix_;
   std::vector<Places<3>> places_;      // of the cells
   std::vector<Places<7>> tip_places_;  // of the tips' points

@@ -29,6 +29,7 @@ struct Iteration {
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
   int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
+  bool chatters = false;  ///< points of contact go round in circles; this correction was halved
 };
 
 /// Where an increment ends: at a load, or, with a stretch, where the path coordinate of the state (State::progress) has
@@ -54,6 +55,9 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
 /// hides the forces. Where contact points chatter, corrections are halved.
+///
+/// Where mortar contact returns to a state that it had left, and the residual has not fallen meanwhile (chatter), one
+/// correction is halved, which leads off the circle; full ones follow.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cleft/assembly/model.hpp"
+#include "cleft/contact/multipliers.hpp"
 
 namespace cleft::assembly {
 
@@ -28,12 +29,13 @@ struct History {
   double deepest = 0.0;                               ///< largest penetration so far, metres
   std::vector<constitutive::PlasticState> plastic{};  ///< per material point; empty if the material has no memory
   double duration = constitutive::kForever;           ///< of the increment under way, in units of the load
+  contact::HatMemory hats{};                          ///< of mortar contact; empty without
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
 struct State {
   double load = 0.0;
-  VecX displacement;  ///< metres, all components
+  VecX displacement;  ///< metres, all components, those of multipliers included
   History history;
   Energies energies;
   VecX prescribed_force;       ///< force on the body at the constraints, N/m

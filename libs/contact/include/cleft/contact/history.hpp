@@ -26,4 +26,8 @@ struct Advance {
 /// by the trapezoidal rule over the increment.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
 
+/// Memory of a point that carries no traction of its own (mortar contact): its anchor is its partner, and its slip what
+/// it has moved from the last one while it slid.
+Memory follow(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
+
 }  // namespace cleft::contact

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cleft/contact/hats.hpp"
 #include "cleft/contact/law.hpp"
 #include "cleft/enrichment/stencil.hpp"
 
@@ -39,6 +40,9 @@ struct Surfaces {
   std::vector<Point> points;
   std::vector<Law> laws;            ///< per crack
   std::vector<NegativeSide> sides;  ///< per crack
+  std::vector<Mortar> mortar{};     ///< per crack; empty: all by penalty
+  Hats hats{};                      ///< on the negative faces of the cracks with mortar contact
+  Index first_multiplier = kNone;   ///< unknown of the first hat's multipliers (l_N, l_T), which the others follow
   double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
   double search_radius = 0.0;       ///< 0: by scale
   bool undeformed = false;          ///< contact in the undeformed configuration (undeformed.hpp), for small strain
@@ -46,6 +50,12 @@ struct Surfaces {
   bool is_partner(const enrichment::Face& face) const {
     const NegativeSide side = sides[face.crack];
     return side == NegativeSide::Both || (side == NegativeSide::Left) != (face.side == geometry::Side::Left);
+  }
+  bool is_mortar(Index crack) const { return !mortar.empty() && mortar[crack].on; }
+  /// Whether a face carries the quadrature.
+  bool is_negative(const enrichment::Face& face) const {
+    const NegativeSide side = sides[face.crack];
+    return side == NegativeSide::Both || (side == NegativeSide::Left) == (face.side == geometry::Side::Left);
   }
   Touch touch() const { return {1e-12 * element_size}; }
 };

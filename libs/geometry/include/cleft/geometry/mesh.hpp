@@ -49,6 +49,9 @@ struct Edges {
 };
 Edges edges_of(const Mesh& mesh);
 
+/// Corners of triangle `t`, metres.
+std::array<Vec2, 3> corners(const Mesh& mesh, Index t);
+
 /// Area of triangle `t` in m^2, positive for counter-clockwise.
 double triangle_area(const Mesh& mesh, Index t);
 

@@ -30,8 +30,9 @@ struct Demand {
 
 /// The largest principal value of the mean Cauchy stress around the tip reaches a strength (Liu and Borja 2010, (94)).
 /// Stress and deformation gradient F are means over the disc of `radius` around the tip in the reference configuration,
-/// of every part of a triangle as much as lies within. The crack goes on along the line normal to the pulled-back
-/// principal direction, N = n . F / |n . F| (93), in the sense that leads ahead.
+/// of every part of a triangle as much as lies within; in the ball of a tip the points of a triangle count as it does.
+/// The crack goes on along the line normal to the pulled-back principal direction, N = n . F / |n . F| (93), in the
+/// sense that leads ahead.
 ///
 /// Around the tip of a closed, sliding crack the field of mode II has means of zero but for the shear stress, whose
 /// principal directions lie at 45 degrees: that is where the crack turns, not the 70.5 degrees of the hoop stress.
@@ -40,7 +41,7 @@ struct Rankine {
   double radius = 0.0;    ///< metres
 
   /// Why the measure may be no number, and what to try.
-  static constexpr const char* kNoAnswer = "no point of the solid lies within the radius of the tip";
+  static constexpr const char* kNoAnswer = "the disc around the tip is smaller than an element";
   static constexpr const char* kAdvice = "a larger growth.radius, or a finer mesh where the crack grows";
 
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;

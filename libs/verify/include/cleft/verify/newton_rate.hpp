@@ -30,17 +30,18 @@ struct RateRequirement {
   double least = 1.5;  ///< order that none may fall short of
 };
 
-/// An increment is judged if its order is known, or if a lower bound of it reaches what is required, or else its order
-/// at unit scale does: good iterations are over before three corrections show an order.
+/// An increment is judged if its order is known, or if a lower bound of it reaches what is required. Good iterations
+/// are over before three corrections show an order: where the order at unit scale reaches what is required it says that
+/// an increment need not be worried about, but cannot show a miss, and so counts for `enough` only.
 struct RateVerdict {
   std::size_t increments = 0, judged = 0, reach = 0;  ///< those that reach the required order
   std::size_t bounds = 0;                             ///< judged ones of which only a lower bound is known
-  std::size_t scaled = 0;                             ///< judged ones of which only the order at unit scale is known
+  std::size_t scaled = 0;                             ///< not judged, but of the required order at unit scale
   std::array<double, 5> orders{};                     ///< of the judged ones: lowest, quartiles with median, highest
   double lowest() const { return orders.front(); }
   std::vector<IncrementRate> missed;  ///< judged and below the required order
   std::vector<IncrementRate> unjudged;
-  bool enough = false;  ///< at least half of the increments can be judged
+  bool enough = false;  ///< at least half of the increments are judged or of the required order at unit scale
   bool holds = false;
 };
 RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement& required);

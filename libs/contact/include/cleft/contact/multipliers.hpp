@@ -1,0 +1,106 @@
+/// \file
+/// The mortar method: contact tractions as unknowns of their own, two for every hat function.
+///
+/// Node i has the multipliers l_N (Pa; l_N < 0 presses) and l_T. With the integrals over all pieces opposite the other
+/// face (overlap.hpp)
+///
+///     G_i = int phi_i g_N ds,     S_i = int phi_i g_T ds,     L_i = int phi_i ds (of the whole hat)
+///
+/// and, over the intervals e of length l_e that i and its neighbour j end,
+///
+///     Z_i(q) = sum_e kappa_e l_e / 12 (q_i - q_j),     kappa_e = (tau + [1 - cover_e / cover_0]_+) h / (2 mu)
+///
+/// the conditions are those of exact contact with Coulomb friction, but for Z:
+///
+///     open     l_N = 0                            where   L_i l_N + c (G_i - Z_i(l_N)) >= 0   (trial r_N)
+///     closed   G_i - Z_i(l_N) = 0                 else
+///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= -mu r_N   (trial r_T),
+///                                                 or l_T is above half of the strength and r_T l_T < 0: what slid one
+///                                                 way must stick before it slides the other
+///     slip     l_T = -mu l_N sign(r_T)            else
+///     touch    l_T = 0                            where the node was open when the last increment had converged
+///
+/// Z with tau of about 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183):
+/// what the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h
+/// its size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an
+/// interval has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then
+/// takes the tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the
+/// interval was covered then (o = 1): Z does not depend on the size of the increments.
+///
+/// Where both faces carry hats, each with half of the weight, Z has the further part h / (2 mu) int phi_i (l - l') ds,
+/// with l' what the other face bears: the faces' tractions are two unknowns for one, and where they are the same each
+/// face's mean gap vanishes.
+///
+/// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
+/// so that they may stand beside forces and displacements.
+#pragma once
+
+#include "cleft/contact/overlap.hpp"
+
+namespace cleft::contact {
+
+/// What the hats remember between increments.
+struct HatMemory {
+  std::vector<Status> status;    ///< per node
+  VecX multiplier;               ///< l_N and l_T of each node, Pa
+  std::vector<double> coverage;  ///< per interval, 0 to 1
+  std::vector<Trail> trails;     ///< anchors
+  VecX force;                    ///< internal force of the hats' tractions on all components, N/m; empty at rest
+};
+HatMemory hats_at_rest(const Surfaces& surfaces);
+
+/// A node at the present iterate.
+struct NodeState {
+  Status status = Status::Open;
+  bool supported = false;                 ///< something lies opposite its hat
+  bool leans = false;                     ///< little lies opposite one of its intervals
+  double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
+  double support = 0.0;                   ///< int phi ds over what lies opposite, metres
+  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, int phi ds, N/m
+  double gap = 0.0, slip = 0.0;           ///< G, S, m^2
+  double slides = 0.0;                    ///< sign of the traction of a node that slips
+};
+
+/// One row of conditions: its values and how they depend on everything.
+struct NodeCondition {
+  Vec2 value = Vec2::Zero();                                     ///< N/m
+  Vec2 by_integral = Vec2::Zero();                               ///< on G and S
+  Vec2 by_beyond = Vec2::Zero();                                 ///< on the tractions beyond those of the other face
+  Mat2 by_own = Mat2::Zero();                                    ///< on the node's unknowns, N/m per metre
+  std::array<Mat2, 2> by_neighbour{Mat2::Zero(), Mat2::Zero()};  ///< on those of the nodes before and after
+  std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  ///< on int ds over what is covered of the two intervals
+};
+
+/// Tractions and conditions of all hats.
+class Multipliers {
+ public:
+  /// At the displacements `x` (all components; the multipliers among them), with the partners of the contact points.
+  void run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
+           const HatMemory& memory);
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<PieceIntegrals>& integrals() const { return integrals_; }
+  const std::vector<NodeState>& nodes() const { return nodes_; }
+  const std::vector<NodeCondition>& conditions() const { return conditions_; }
+
+  /// The traction at a place on a face that carries hats; without one where a node of its interval is open that side.
+  Traction traction(const Surfaces& surfaces, Index face, double eta) const;
+
+  /// What the hats remember once the increment has converged.
+  HatMemory advance(const Surfaces& surfaces, const FacePositions& at) const;
+
+ private:
+  void judge(const Surfaces& surfaces, Index node, const HatMemory& memory);
+
+  std::vector<Piece> pieces_;
+  std::vector<PieceIntegrals> integrals_;
+  std::vector<NodeState> nodes_;
+  std::vector<NodeCondition> conditions_;
+  std::vector<double> covered_;  // per interval, metres
+  std::vector<bool> reached_;    // per node: some node of its face has something opposite
+};
+
+/// Energy stored in Z at tau, J/m.
+double stored_energy(const Surfaces& surfaces, const HatMemory& hats);
+
+}  // namespace cleft::contact

@@ -1,0 +1,208 @@
+#include "cleft/contact/multipliers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleft::contact {
+namespace {
+
+// The part of an interval below which its nodes lean on their neighbours.
+constexpr double kCover = 0.25;
+
+const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
+
+// kappa_e l_e / 12 and its derivative with regard to what is covered.
+struct Compliance {
+  double value = 0.0, by_cover = 0.0;
+};
+
+Compliance compliance(const Mortar& mortar, double length, double covered) {
+  const double scale = mortar.compliance * length / 12.0, bare = 1.0 - covered / (kCover * length);
+  if (bare <= 0.0) return {mortar.smoothing * scale, 0.0};
+  return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
+}
+
+double own_part(double coverage) { return std::min(1.0, coverage / kCover); }
+
+}  // namespace
+
+HatMemory hats_at_rest(const Surfaces& surfaces) {
+  const auto& hats = surfaces.hats;
+  return {std::vector<Status>(hats.nodes.size(), Status::Stick),
+          VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
+          std::vector<double>(hats.intervals.size(), 1.0),
+          trails_at_rest(surfaces),
+          {}};
+}
+
+void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
+                      const HatMemory& memory) {
+  const auto& hats = surfaces.hats;
+  nodes_.assign(hats.nodes.size(), {});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const double scale = mortar_of(surfaces, hats.nodes[i]).scale;
+    const auto at_x = 2 * (surfaces.first_multiplier + static_cast<Index>(i));
+    nodes_[i].normal = scale * x[at_x];
+    nodes_[i].tangential = scale * x[at_x + 1];
+  }
+  pieces_ = find_pieces(surfaces, at, pairs, memory.trails);
+  integrals_.resize(pieces_.size());
+  covered_.assign(hats.intervals.size(), 0.0);
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Index e = hats.strips[pieces_[p].strip].interval;
+    const std::array<Index, 2> ends{hats.intervals[e].first, hats.intervals[e].second};
+    const auto traction = [&](Index i) -> Vec2 { return {nodes_[i].normal, nodes_[i].tangential}; };
+    std::array<Vec2, 4> multipliers{traction(ends[0]), traction(ends[1]), Vec2::Zero(), Vec2::Zero()};
+    if (const Index other = pieces_[p].partner_strip; other != kNone) {
+      const auto& interval = hats.intervals[hats.strips[other].interval];
+      multipliers[2] = traction(interval.first);
+      multipliers[3] = traction(interval.second);
+    }
+    integrals_[p] = integrate(surfaces, at, memory.trails, pieces_[p], multipliers);
+    const auto& v = integrals_[p].value;
+    for (int k = 0; k < 2; ++k) {
+      nodes_[ends[k]].gap += v(kGapOutput + 2 * k);
+      nodes_[ends[k]].slip += v(kGapOutput + 1 + 2 * k);
+      nodes_[ends[k]].beyond += v.segment<2>(kDifferenceOutput + 2 * k);
+      nodes_[ends[k]].support += v(kSupportOutput + k);
+      covered_[e] += v(kSupportOutput + k);
+    }
+  }
+  reached_.assign(nodes_.size(), false);
+  bool reached = false;
+  const auto count = static_cast<Index>(nodes_.size());
+  for (Index i = 0; i < count; ++i) {
+    if (hats.nodes[i].before == kNone) reached = false;
+    nodes_[i].supported = nodes_[i].support > 0.0;
+    reached = reached || nodes_[i].supported;
+    reached_[i] = reached;
+  }
+  for (Index i = count - 2; i >= 0; --i)
+    if (hats.nodes[i].after != kNone && reached_[i + 1]) reached_[i] = true;
+  conditions_.assign(nodes_.size(), {});
+  for (Index i = 0; i < count; ++i) judge(surfaces, i, memory);
+}
+
+void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory) {
+  const auto& hats = surfaces.hats;
+  const auto& node = hats.nodes[i];
+  const auto& mortar = mortar_of(surfaces, node);
+  const double c = mortar.scale, friction = surfaces.laws[node.crack].friction;
+  auto& s = nodes_[i];
+  auto& out = conditions_[i];
+  const Vec2 own(s.normal, s.tangential);
+
+  Vec2 smooth = Vec2::Zero();  // Z, and its derivatives with regard to tractions and covers
+  double by_own = 0.0;
+  std::array<double, 2> by_neighbour{};
+  std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};
+  for (int k = 0; k < 2; ++k) {
+    const Index e = k == 0 ? node.before : node.after;
+    if (e == kNone) continue;
+    const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
+    const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
+    s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
+    Vec2 difference = own - Vec2(nodes_[j].normal, nodes_[j].tangential);
+    difference.y() -= own_part(memory.coverage[e]) * (memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
+    smooth += soft.value * difference;
+    by_own += soft.value;
+    by_neighbour[k] = -soft.value;
+    by_cover[k] = soft.by_cover * difference;
+  }
+  smooth += mortar.compliance * s.beyond;
+  const auto level = [&](int row, double integral) {  // c (integral - Z)
+    out.value(row) = c * (integral - smooth(row));
+    out.by_integral(row) = s.supported ? c : 0.0;
+    out.by_beyond(row) = s.supported ? -c * mortar.compliance : 0.0;
+    out.by_own(row, row) = -c * c * by_own;
+    for (int k = 0; k < 2; ++k) {
+      out.by_neighbour[k](row, row) = -c * c * by_neighbour[k];
+      out.by_cover[k](row) = -c * by_cover[k](row);
+    }
+  };
+
+  if (!reached_[i]) {  // the whole face has nothing opposite
+    out.value = node.length * own;
+    out.by_own = c * node.length * Mat2::Identity();
+    return;
+  }
+  if (!s.supported) {
+    level(0, 0.0);
+    level(1, 0.0);
+    s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
+    return;
+  }
+  const bool held = memory.status[i] != Status::Open;
+  const double touch = c * surfaces.touch().length * node.length;
+  const double trial = node.length * s.normal + c * (s.gap - smooth.x());
+  if (trial >= (held ? touch : 0.0)) {
+    out.value = node.length * own;
+    out.by_own = c * node.length * Mat2::Identity();
+    return;
+  }
+  level(0, s.gap);
+  const double tangential = node.length * s.tangential + c * (s.slip - smooth.y());
+  if (!held) {
+    s.status = Status::Stick;
+    out.value.y() = node.length * s.tangential;
+    out.by_own(1, 1) = c * node.length;
+  } else if (std::fabs(tangential) <= friction * std::max(0.0, -trial) + touch ||
+             (tangential * s.tangential < 0.0 && std::fabs(s.tangential) > -0.5 * friction * s.normal &&
+              s.normal < 0.0)) {
+    // Who slides against the traction that it bears has to stick before it may slide the other way: without that nodes
+    // would jump from one sense to the other and back.
+    s.status = Status::Stick;
+    level(1, s.slip);
+  } else {
+    s.status = Status::Slip;
+    s.slides = std::copysign(1.0, tangential);
+    const double strength = s.slides * friction;
+    out.value.y() = node.length * (s.tangential + strength * s.normal);
+    out.by_own(1, 1) = c * node.length;
+    out.by_own(1, 0) = c * node.length * strength;
+  }
+}
+
+Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta) const {
+  const auto& hats = surfaces.hats;
+  const Strip& strip = hats.strip_at(face, eta);
+  const auto& interval = hats.intervals[strip.interval];
+  const double second = hats.second_hat(surfaces.faces[face], strip, eta);
+  const NodeState &a = nodes_[interval.first], &b = nodes_[interval.second];
+  const double normal = (1.0 - second) * a.normal + second * b.normal;
+  const double tangential = (1.0 - second) * a.tangential + second * b.tangential;
+  const NodeState& nearer = second < 0.5 ? a : b;
+  const NodeState& other = second < 0.5 ? b : a;
+  return {nearer.status != Status::Open ? nearer.status
+          : normal < 0.0                ? other.status
+                                        : Status::Open,
+          normal, tangential};
+}
+
+HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at) const {
+  const auto& hats = surfaces.hats;
+  HatMemory out;
+  out.multiplier.resize(2 * static_cast<Index>(nodes_.size()));
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    out.status.push_back(nodes_[i].status);
+    out.multiplier[2 * static_cast<Index>(i)] = nodes_[i].normal;
+    out.multiplier[2 * static_cast<Index>(i) + 1] = nodes_[i].tangential;
+  }
+  for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
+  out.trails = trails_of(surfaces, at, pieces_);
+  return out;
+}
+
+double stored_energy(const Surfaces& surfaces, const HatMemory& memory) {
+  double out = 0.0;
+  const auto& hats = surfaces.hats;
+  for (const auto& interval : hats.intervals) {
+    const Mortar& mortar = mortar_of(surfaces, hats.nodes[interval.first]);
+    const Vec2 difference =
+        memory.multiplier.segment<2>(2 * interval.first) - memory.multiplier.segment<2>(2 * interval.second);
+    out += 0.5 * mortar.smoothing * mortar.compliance * interval.length / 12.0 * difference.squaredNorm();
+  }
+  return out;
+}
+
+}  // namespace cleft::contact

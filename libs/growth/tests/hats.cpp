@@ -1,0 +1,87 @@
+// Mortar contact on cracks that grow.
+#include <gtest/gtest.h>
+
+#include "bodies.hpp"
+#include "cleft/geometry/advance.hpp"
+#include "cleft/growth/transfer.hpp"
+
+namespace cleft::growth {
+namespace {
+
+// A crack through the middle that has slid under pressure.
+struct Slid {
+  bodies::Square square;
+  assembly::Model model;
+  assembly::State state;
+
+  Slid() {
+    square.top = {-0.004, -0.01};
+    square.cracks = {{"main", {{0.31, 0.42}, {0.68, 0.61}}}};
+    square.cells = {16, 16};
+    square.mortar = true;
+    model = square();
+    assembly::LoadStepper stepper(model, bodies::in_steps(4));
+    while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
+    state = stepper.state();
+  }
+};
+
+TEST(HatTransfer, ToTheSameCrackChangesNothing) {
+  const Slid slid;
+  const auto& before = slid.state.history.hats;
+  const auto after = transfer(slid.model, slid.state, slid.model);
+  EXPECT_EQ(after.history.hats.status, before.status);
+  EXPECT_LT((after.history.hats.multiplier - before.multiplier).norm(), 1e-12 * before.multiplier.norm());
+  EXPECT_LT((after.displacement - slid.state.displacement).norm(), 1e-14);
+  EXPECT_EQ(after.history.hats.force, before.force);
+  ASSERT_EQ(after.history.hats.trails.size(), before.trails.size());
+  for (std::size_t k = 0; k < before.trails.size(); ++k) {
+    const auto &a = after.history.hats.trails[k], &b = before.trails[k];
+    EXPECT_EQ(a.face, b.face);
+    EXPECT_EQ(a.anchor_face, b.anchor_face);
+    EXPECT_NEAR(a.begin, b.begin, 1e-10);
+    EXPECT_NEAR(a.anchor_begin, b.anchor_begin, 1e-10);
+    EXPECT_NEAR(a.anchor_end, b.anchor_end, 1e-10);
+  }
+}
+
+TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) {
+  const Slid slid;
+  const double old_length = (Vec2(0.68, 0.61) - Vec2(0.31, 0.42)).norm();
+  const auto longer = slid.square({geometry::extended(slid.square.cracks[0], 1, {0.7, 0.78})});
+  const auto state = transfer(slid.model, slid.state, longer);
+  const auto traction_at = [](const assembly::Model& m, const VecX& multiplier, double s) -> Vec2 {
+    const auto& hats = m.surfaces.hats;
+    for (const auto& e : hats.intervals) {
+      const double first = hats.nodes[e.first].s, second = hats.nodes[e.second].s;
+      if (s < first || s > second) continue;
+      const double share = (s - first) / (second - first);
+      return (1.0 - share) * multiplier.segment<2>(2 * e.first) + share * multiplier.segment<2>(2 * e.second);
+    }
+    return Vec2::Zero();
+  };
+  int kept = 0, fresh = 0;
+  const auto& hats = longer.surfaces.hats;
+  for (std::size_t i = 0; i < hats.nodes.size(); ++i) {
+    const double s = hats.nodes[i].s;
+    const Vec2 now = state.history.hats.multiplier.segment<2>(2 * static_cast<Index>(i));
+    if (s > old_length) {
+      EXPECT_EQ(now.norm(), 0.0);
+      ++fresh;
+    } else if (s < old_length - 0.1) {
+      const Vec2 was = traction_at(slid.model, slid.state.history.hats.multiplier, s);
+      EXPECT_LT((now - was).norm(), 1e-9 * (1.0 + was.norm()));
+      EXPECT_LT(now.x(), 0.0);
+      ++kept;
+    }
+  }
+  EXPECT_GT(kept, 2);
+  EXPECT_GE(fresh, 2);
+
+  assembly::LoadStepper stepper(longer, bodies::in_steps(4));
+  stepper.restore(state, {});
+  EXPECT_EQ(stepper.settle().index(), 0u);
+}
+
+}  // namespace
+}  // namespace cleft::growth
