@@ -18,6 +18,10 @@ if(CLEFT_SANITIZE)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+if(CLEFT_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 if(CLEFT_TIDY)
   find_program(CLEFT_CLANG_TIDY clang-tidy-16)
   if(CLEFT_CLANG_TIDY)

@@ -1,0 +1,26 @@
+#include "cleft/scene/problem.hpp"
+#include "cleft/scene/read.hpp"
+#include "cleft/support/error.hpp"
+#include "targets.hpp"
+
+namespace cleft::fuzz {
+namespace {
+
+// Delaunay meshes and those of files may be as large as they like: they are not built here.
+bool is_small(const scene::Scene& scene) {
+  const auto* mesh = std::get_if<scene::StructuredMesh>(&scene.mesh.kind);
+  return mesh && mesh->cells[0] * static_cast<long>(mesh->cells[1]) <= 1000;
+}
+
+}  // namespace
+
+void scene(Bytes bytes) {
+  try {
+    const auto scene = scene::read_scene(file_of(bytes, ".toml"));
+    if (is_small(scene)) (void)scene::build_model(scene);
+  } catch (const InputError& error) {
+    require(!error.problem().empty(), "an error says what is wrong");
+  }
+}
+
+}  // namespace cleft::fuzz
