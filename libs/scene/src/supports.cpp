@@ -23,8 +23,8 @@ class Parts {
   std::vector<Index> parent_;
 };
 
-// An unknown that moves a face's start. Where the crack runs through nodes a stencil also lists nodes beyond it, with no
-// weight, which belong to the other side.
+// An unknown that moves a face's start. Where the crack runs through nodes a stencil also lists nodes beyond it, with
+// no weight, which belong to the other side.
 Index mover(const enrichment::Face& face) {
   std::size_t most = 0;
   for (std::size_t k = 1; k < face.start.unknown.size(); ++k)
