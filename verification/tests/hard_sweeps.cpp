@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Cracks, HardSweep,
 // CLEFT_RANDOM_CRACKS says how many.
 TEST(HardRandom, NoCrackOfAThousandFails) {
   const char* asked = std::getenv("CLEFT_RANDOM_CRACKS");
-  const int wanted = asked == nullptr ? 60 : std::atoi(asked);
+  const int wanted = asked == nullptr ? 200 : std::atoi(asked);
   Case table(fmt::format("{} random cracks on random meshes", wanted));
   auto numbers = sheet("random");
   int solved = 0, failed = 0, cuts = 0, most = 0, refused = 0, loose = 0, stressed = 0;
