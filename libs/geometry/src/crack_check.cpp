@@ -1,10 +1,12 @@
 #include "crack_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "cleft/geometry/segment_grid.hpp"
 #include "cleft/support/error.hpp"
+#include "distance.hpp"
 #include "predicates.hpp"
 
 namespace cleft::geometry {
@@ -27,6 +29,15 @@ void check_points(const Crack& crack) {
                            " coincide; consecutive points must differ");
     }
   }
+}
+
+// Segments nearer than rounding touch: which way round they pass each other is no property of the crack.
+bool touch(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (segments_meet(a, b, c, d)) return true;
+  constexpr double kTouch = 1e-13;
+  const double distance = std::min({distance_to_segment(a, b, c), distance_to_segment(a, b, d),
+                                    distance_to_segment(c, d, a), distance_to_segment(c, d, b)});
+  return distance <= kTouch * ((b - a).norm() + (d - c).norm());
 }
 
 }  // namespace
@@ -57,7 +68,7 @@ void check_cracks(const std::vector<Crack>& cracks) {
         }
         return;
       }
-      if (!segments_meet(starts[m], ends[m], starts[k], ends[k])) return;
+      if (!touch(starts[m], ends[m], starts[k], ends[k])) return;
       if (place[k].first == crack) {
         throw InputError({}, name,
                          "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +

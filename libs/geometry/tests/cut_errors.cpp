@@ -38,6 +38,18 @@ TEST(CutErrors, CrossesItself) {
   expect_refused(unit(4), {{"fold", {{0, 0.5}, {0.9, 0.5}, {0.4, 0.5}}}}, "fold", "folds back");
 }
 
+// Its last segment passes its second point at the distance of one rounding.
+TEST(CutErrors, TouchesItselfWithinRounding) {
+  const double third = 1.0 / 3.0;
+  const Crack crack{
+      "near", {{-0.5, 2.5 * third}, {0.5, 2.5 * third}, {0.25, 0.875}, {0.625, 2.875 * third}, {-0.5, -0.5 * third}}};
+  for (const double off : {0.0, 1e-17, -1e-17, 1e-16, -1e-16, 1e-15, -1e-15}) {
+    Crack moved = crack;
+    moved.points[1].y() += off;
+    expect_refused(structured_mesh({0, 0, 1, 1}, {1, 3}, Diagonal::Right), {moved}, "near", "touches itself");
+  }
+}
+
 TEST(CutErrors, CrossesAnotherCrack) {
   expect_refused(unit(8), {{"a", {{0, 0.5}, {1, 0.5}}}, {"b", {{0.5, 0.1}, {0.5, 0.9}}}}, "a", "crack b");
   expect_refused(unit(8), {{"a", {{0, 0.5}, {1, 0.5}}}, {"b", {{0.5, 0.1}, {0.5, 0.5}}}}, "a", "crack b");

@@ -25,7 +25,7 @@ struct Reader {
   std::size_t at = 0;
   void raw(void* data, std::size_t bytes) {
     if (bytes > in.size() - at) throw std::out_of_range("checkpoint");
-    std::memcpy(data, in.data() + at, bytes);
+    if (bytes > 0) std::memcpy(data, in.data() + at, bytes);
     at += bytes;
   }
   template <class T>
