@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cleft/assembly/patches.hpp"
-#include "cleft/contact/undeformed.hpp"
 #include "cleft/support/timer.hpp"
+#include "contact_points.hpp"
 #include "places.hpp"
 
 namespace cleft::assembly {
@@ -22,16 +22,6 @@ void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face,
   for (int k = 0; k < reach && (f = faces[f].previous) != kNone; ++k) out.push_back(f);
   f = face;
   for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
-}
-
-// Whether the force depends on where the anchor is now, apart from the partner.
-bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair& pair) {
-  return pair.state.traction.status == contact::Status::Stick && pair.anchored && !surfaces.undeformed;
-}
-
-// Whether a contact point only shows what its crack's hats carry.
-bool is_mortar(const contact::Surfaces& surfaces, std::size_t point) {
-  return !surfaces.hats.empty() && surfaces.is_mortar(surfaces.faces[surfaces.points[point].face].crack);
 }
 
 }  // namespace
@@ -302,153 +292,6 @@ void Assembler::add_ties(const VecX& displacement) {
       for (std::size_t l = 0; l < tie.unknown.size(); ++l)
         matrix_.add(matrix_.find(tie.unknown[k], tie.unknown[l]),
                     stiffness * tie.slope[k] * tie.slope[l] * Mat2::Identity());
-    }
-  }
-}
-
-void Assembler::find_contact(const VecX& displacement, const History& history) {
-  const auto& s = model_.surfaces;
-  search_.run(s, displacement, history.contact, history.deepest, pairs_);
-  if (s.hats.empty()) return;
-  multipliers_.run(s, face_positions(), pairs_, displacement, history.hats);
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
-    auto& state = pairs_[p].state;
-    const bool past = state.partner < 0.0 || state.partner > 1.0;
-    state.ramp = past ? 0.0 : 1.0;
-    state.traction = past ? contact::Traction{} : multipliers_.traction(s, s.points[p].face, s.points[p].eta);
-  }
-}
-
-void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
-  const PhaseTimer timer(seconds_.contact);
-  const auto& faces = model_.surfaces.faces;
-  struct Column {
-    Index unknown;
-    double start, end;  // weights of the two inputs at `input`, `input + 2`
-    int input;
-  };
-  std::array<Column, 4 * enrichment::ShortList<Index>::kCapacity> columns;
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const auto& pair = pairs_[p];
-    if (!contact::presses(pair) || is_mortar(model_.surfaces, p)) continue;
-    const auto index = static_cast<Index>(p);
-    const auto force =
-        model_.surfaces.undeformed
-            ? contact::force_undeformed(model_.surfaces, index, pair)
-            : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                             contact::pair_constants(model_.surfaces, face_positions(), index, pair), pair.state);
-    int count = 0;
-    const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
-      for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {
-        const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
-        if (s == 0.0 && e == 0.0) continue;
-        columns[count++] = two_points ? Column{faces[f].start.unknown[k], s, e, input}
-                                      : Column{faces[f].start.unknown[k], start_share * s + end_share * e, 0.0, input};
-      }
-    };
-    add(model_.surfaces.points[p].face, 0, 0, 0, true);
-    add(pair.partner_face, 4, 0, 0, true);
-    const int rows = count;
-    if (pulls_anchor(model_.surfaces, pair))
-      add(memory[p].anchor_face, 8, 1.0 - memory[p].anchor_place, memory[p].anchor_place, false);
-    if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
-      add(pair.mouth_face, 10, pair.mouth_at_end ? 0.0 : 1.0, pair.mouth_at_end ? 1.0 : 0.0, false);
-
-    for (int r = 0; r < rows; ++r) {
-      const auto& row = columns[r];
-      contact_force_.segment<2>(2 * row.unknown) +=
-          row.start * force.force.segment<2>(row.input) + row.end * force.force.segment<2>(row.input + 2);
-      const Eigen::Matrix<double, 2, contact::kPairInputs> t =
-          row.start * force.tangent.middleRows<2>(row.input) + row.end * force.tangent.middleRows<2>(row.input + 2);
-      for (int c = 0; c < count; ++c) {
-        const auto& column = columns[c];
-        Mat2 block = column.start * t.middleCols<2>(column.input);
-        if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
-        matrix_.add(matrix_.find(row.unknown, column.unknown), block);
-      }
-    }
-  }
-}
-
-void Assembler::assemble_hats(const contact::HatMemory& memory) {
-  const PhaseTimer timer(seconds_.contact);
-  const auto& surfaces = model_.surfaces;
-  const auto& faces = surfaces.faces;
-  const auto& hats = surfaces.hats;
-  const auto& conditions = multipliers_.conditions();
-  const Index first = surfaces.first_multiplier;
-  hat_force_.setZero(model_.unknowns.components());
-  struct Column {
-    Index unknown;
-    double start, end;  // weights of the two inputs at `input`, `input + 2`
-    int input;
-  };
-  std::array<Column, 3 * enrichment::ShortList<Index>::kCapacity + 4> columns;
-  using Rows = Eigen::Matrix<double, 2, contact::kPieceInputs>;
-  for (std::size_t p = 0; p < multipliers_.pieces().size(); ++p) {
-    const auto& piece = multipliers_.pieces()[p];
-    const auto& integrals = multipliers_.integrals()[p];
-    const auto& strip = hats.strips[piece.strip];
-    const auto& interval = hats.intervals[strip.interval];
-    int count = 0;
-    const auto add = [&](Index f, int input) {
-      for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {
-        const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
-        if (s != 0.0 || e != 0.0) columns[count++] = {faces[f].start.unknown[k], s, e, input};
-      }
-    };
-    add(strip.face, 0);
-    add(piece.partner, 4);
-    const int rows = count;
-    if (piece.trail != kNone && !surfaces.undeformed) add(memory.trails[piece.trail].anchor_face, 8);
-    const double scale = surfaces.mortar[faces[strip.face].crack].scale;
-    columns[count++] = {first + interval.first, scale, 0.0, 12};
-    columns[count++] = {first + interval.second, scale, 0.0, 14};
-    if (piece.partner_strip != kNone) {
-      const auto& opposite = hats.intervals[hats.strips[piece.partner_strip].interval];
-      const double other_scale = surfaces.mortar[faces[piece.partner].crack].scale;
-      columns[count++] = {first + opposite.first, other_scale, 0.0, 16};
-      columns[count++] = {first + opposite.second, other_scale, 0.0, 18};
-    }
-
-    const auto scatter = [&](Index unknown, const Rows& t) {
-      for (int c = 0; c < count; ++c) {
-        const auto& column = columns[c];
-        Mat2 block = column.start * t.middleCols<2>(column.input);
-        if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
-        matrix_.add(matrix_.find(unknown, column.unknown), block);
-      }
-    };
-    for (int r = 0; r < rows; ++r) {
-      const auto& row = columns[r];
-      const Vec2 force =
-          row.start * integrals.value.segment<2>(row.input) + row.end * integrals.value.segment<2>(row.input + 2);
-      hat_force_.segment<2>(2 * row.unknown) += force;
-      scatter(row.unknown, row.start * integrals.derivative.middleRows<2>(row.input) +
-                               row.end * integrals.derivative.middleRows<2>(row.input + 2));
-    }
-    for (const Index node : {interval.first, interval.second}) {
-      const auto& condition = conditions[node];
-      const int k = node == interval.first ? 0 : 1;
-      const Vec2& by_cover = condition.by_cover[strip.interval == hats.nodes[node].before ? 0 : 1];
-      const auto& d = integrals.derivative;
-      Rows row = condition.by_integral.asDiagonal() * d.middleRows<2>(contact::kGapOutput + 2 * k);
-      row += condition.by_beyond.asDiagonal() * d.middleRows<2>(contact::kDifferenceOutput + 2 * k);
-      row += by_cover * (d.row(contact::kSupportOutput) + d.row(contact::kSupportOutput + 1));
-      scatter(first + node, row);
-    }
-  }
-  contact_force_ += hat_force_;
-  for (Index node = 0; node < static_cast<Index>(hats.nodes.size()); ++node) {
-    const auto& condition = conditions[node];
-    force_.segment<2>(2 * (first + node)) += condition.value;
-    matrix_.add(matrix_.find(first + node, first + node), condition.by_own);
-    for (int k = 0; k < 2; ++k) {
-      const Index e = k == 0 ? hats.nodes[node].before : hats.nodes[node].after;
-      if (e == kNone) continue;
-      const Index other = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
-      matrix_.add(matrix_.find(first + node, first + other), condition.by_neighbour[k]);
     }
   }
 }

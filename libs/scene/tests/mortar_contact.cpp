@@ -1,13 +1,12 @@
 // Mortar contact as scenes ask for it.
-#include <atomic>
 #include <cmath>
 
 #include "cleft/scene/checkpoint.hpp"
 #include "cleft/scene/description.hpp"
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/problem.hpp"
-#include "cleft/scene/run.hpp"
 #include "faults.hpp"
+#include "runs.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -62,22 +61,8 @@ TEST(MortarContact, HasTwoUnknownsAHatOnTheFacesThatAreIntegrated) {
 TEST(MortarContact, ResumesBitForBit) {
   const Folder folder;
   const Scene scene = with("method = \"mortar\"");
-  const auto into = [&](const std::string& name) {
-    RunOptions options;
-    options.directory = folder / name;
-    return options;
-  };
-  ASSERT_EQ(run(scene, into("whole")).end, RunResult::End::Done);
-  std::atomic<bool> stop = false;
-  RunOptions options = into("parts");
-  options.stop = &stop;
-  options.observer = [&](const Progress& p) { stop = p.iteration == 0; };
-  RunResult result;
-  do {
-    stop = false;
-    result = run(scene, options);
-    options.resume = true;
-  } while (result.end == RunResult::End::Stopped);
+  ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
+  const RunResult result = run_step_by_step(scene, folder / "parts");
   ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
   for (const char* file : {"history.csv", "crack_main.csv"})
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
@@ -85,9 +70,7 @@ TEST(MortarContact, ResumesBitForBit) {
 
 TEST(MortarContact, ShowsTheTractionsOfItsHatsInTheProfile) {
   const Folder folder;
-  RunOptions options;
-  options.directory = folder / "run";
-  ASSERT_EQ(run(with("method = \"mortar\""), options).end, RunResult::End::Done);
+  ASSERT_EQ(run(with("method = \"mortar\""), into(folder / "run")).end, RunResult::End::Done);
   const auto profile = read_csv(folder / "run" + "/crack_main.csv");
   const auto tn = profile.column("tn"), tt = profile.column("tt");
   int slipping = 0;

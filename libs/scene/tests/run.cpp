@@ -5,16 +5,11 @@
 
 #include "cleft/scene/checkpoint.hpp"
 #include "cleft/scene/files.hpp"
+#include "runs.hpp"
 #include "scenes.hpp"
 
 namespace cleft::scene {
 namespace {
-
-RunOptions into(const std::string& directory) {
-  RunOptions options;
-  options.directory = directory;
-  return options;
-}
 
 TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
   const Folder folder;
@@ -75,16 +70,7 @@ steps = 8
 outputs = [1.0]
 )");
   ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
-  std::atomic<bool> stop = false;
-  RunOptions options = into(folder / "parts");
-  options.stop = &stop;
-  options.observer = [&](const Progress& p) { stop = p.iteration == 0; };
-  RunResult result;
-  do {
-    stop = false;
-    result = run(scene, options);
-    options.resume = true;
-  } while (result.end == RunResult::End::Stopped);
+  const RunResult result = run_step_by_step(scene, folder / "parts");
   ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
   EXPECT_EQ(read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
   const std::string path = folder / "whole" + "/checkpoint";
