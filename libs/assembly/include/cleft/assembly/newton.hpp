@@ -54,10 +54,8 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces. Where contact points chatter, corrections are halved.
-///
-/// Where mortar contact returns to a state that it had left, and the residual has not fallen meanwhile (chatter), one
-/// correction is halved, which leads off the circle; full ones follow.
+/// hides the forces. Where points or hats still change late in the iteration and the residual does not fall (chatter),
+/// corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
