@@ -1,7 +1,5 @@
 #include "tip_triangle.hpp"
 
-#include <cmath>
-
 namespace cleft::enrichment {
 
 std::array<Index, 3> triangle_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cut,
@@ -18,7 +16,7 @@ TipTriangle::TipTriangle(const geometry::Mesh& mesh, const geometry::CutMesh& cu
     : mesh_(mesh),
       ball_(cut.tips[cut.tip_of_element[element]]),
       plateau_(unknowns.plateau),
-      blunting_(unknowns.blunting * std::sqrt(2.0 * geometry::triangle_area(mesh, ball_.element))),
+      blunting_(blunting_at(mesh, unknowns, ball_)),
       element_(element),
       side_(side),
       shape_gradient_(geometry::shape_gradients(mesh, element)) {
