@@ -14,7 +14,7 @@ inline constexpr int kBranches = 4;
 inline constexpr double kPlateau = 0.65;
 
 /// Where strains are finite, the length over which the functions are blunt, as a part of the size of the tip's element.
-/// Enough for compression by a quarter across a crack; intensities by integral move by half a per cent.
+/// Enough for compression by an eighth across a crack; intensities by integral move by half a per cent.
 inline constexpr double kBlunting = 0.2;
 
 /// The four functions at one point. Only the second jumps over the crack, by twice its radial part.
