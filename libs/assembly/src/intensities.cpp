@@ -129,6 +129,7 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   const Vec2 ahead = ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = body.displacement;
+  const double blunting = enrichment::blunting_at(m.mesh, m.unknowns, ball);
   Line opening, sliding;
   for (std::size_t s = 0; s < m.cut.segments.size(); ++s) {
     if (m.cut.segments[s].tip != tip) continue;
@@ -137,7 +138,8 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
     const Vec2 jump = above.start.displacement(u) - below.start.displacement(u);
     const double r = (above.reference_start - ball.frame.tip()).norm();
     if (r < kNearest * ball.radius || r > m.unknowns.plateau * ball.radius) continue;
-    const double factor = solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
+    const double factor =
+        solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi * (r + blunting)) / r;
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));
   }

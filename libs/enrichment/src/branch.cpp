@@ -4,20 +4,21 @@
 
 namespace cleft::enrichment {
 
-Branches branches(const geometry::TipPolar& at) {
+Branches branches(const geometry::TipPolar& at, double blunting) {
   Branches out;
   if (at.r == 0.0) {
     out.gradient.fill(Vec2::Zero());
     return out;
   }
-  const double root = std::sqrt(at.r);
+  const double by_r = 1.0 / std::sqrt(at.r + blunting);
+  const double value = at.r * by_r, slope = (0.5 * at.r + blunting) / (at.r + blunting) * by_r;
   const double c = std::cos(0.5 * at.angle), s = std::sin(0.5 * at.angle);
   const double cos = std::cos(at.angle), sin = std::sin(at.angle);
   const std::array<double, kBranches> f{c, s, s * sin, c * sin};
   const std::array<double, kBranches> df{-0.5 * s, 0.5 * c, 0.5 * c * sin + s * cos, -0.5 * s * sin + c * cos};
   for (int a = 0; a < kBranches; ++a) {
-    out.value[a] = root * f[a];
-    out.gradient[a] = 0.5 / root * f[a] * at.r_gradient + root * df[a] * at.angle_gradient;
+    out.value[a] = value * f[a];
+    out.gradient[a] = slope * f[a] * at.r_gradient + value * df[a] * at.angle_gradient;
   }
   return out;
 }

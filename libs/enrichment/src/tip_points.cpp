@@ -1,5 +1,7 @@
 #include "cleft/enrichment/tip_points.hpp"
 
+#include <cmath>
+
 #include "tip_quadrature.hpp"
 #include "tip_triangle.hpp"
 
@@ -43,6 +45,10 @@ std::vector<TipPoint> make_tip_points(const geometry::Mesh& mesh, const geometry
     }
   }
   return points;
+}
+
+double blunting_at(const geometry::Mesh& mesh, const Unknowns& unknowns, const geometry::TipBall& ball) {
+  return unknowns.blunting * std::sqrt(2.0 * geometry::triangle_area(mesh, ball.element));
 }
 
 Stencil stencil_at(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns, Index element,

@@ -16,6 +16,7 @@ TipTriangle::TipTriangle(const geometry::Mesh& mesh, const geometry::CutMesh& cu
     : mesh_(mesh),
       ball_(cut.tips[cut.tip_of_element[element]]),
       plateau_(unknowns.plateau),
+      blunting_(blunting_at(mesh, unknowns, ball_)),
       element_(element),
       side_(side),
       shape_gradient_(geometry::shape_gradients(mesh, element)) {
@@ -23,7 +24,7 @@ TipTriangle::TipTriangle(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   for (int k = 0; k < 3; ++k) {
     unknown_[k] = own[k];
     const Vec2& node = mesh.nodes[unknowns.node_of[own[k]]];
-    shift_[k] = branches(ball_.frame.at(node, unknowns.side_of[own[k]])).value;
+    shift_[k] = branches(ball_.frame.at(node, unknowns.side_of[own[k]]), blunting_).value;
   }
   for (int a = 0; a < kBranches; ++a) unknown_[3 + a] = unknowns.amplitude(cut.tip_of_element[element], a);
 }
@@ -42,7 +43,7 @@ TipTriangle::Local TipTriangle::at(const Vec2& point) const {
   const geometry::TipPolar polar = ball_.frame.at(point, side_);
   if (polar.r >= ball_.radius) return out;
   const Cutoff chi = cutoff(polar.r, plateau_ * ball_.radius, ball_.radius);
-  const Branches f = branches(polar);
+  const Branches f = branches(polar, blunting_);
   for (int a = 0; a < kBranches; ++a) {
     double value = f.value[a];
     Vec2 gradient = f.gradient[a];

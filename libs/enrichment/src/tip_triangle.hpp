@@ -26,6 +26,7 @@ class TipTriangle {
   const geometry::Mesh& mesh_;
   const geometry::TipBall& ball_;
   double plateau_;
+  double blunting_;  // metres
   Index element_;
   geometry::MaybeSide side_;
   std::array<Index, 3 + kBranches> unknown_{};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cleft::enrichment {
@@ -40,17 +41,33 @@ TEST(Branches, GradientsAreTheDerivatives) {
   for (const TipFrame* frame : {&kStraight, &kBent})
     for (const double r : {0.03, 0.15, 0.3, 0.8})
       for (const double phi : {-3.3, -3.0, -1.0, 0.2, 1.7, 3.05, 3.5})
-        for (const geometry::MaybeSide side : {geometry::MaybeSide{}, {Side::Left}, {Side::Right}}) {
-          const Vec2 point = on_circle(r, phi);
-          const Branches here = branches(frame->at(point, side));
-          for (const int i : {0, 1}) {
-            const Vec2 step = kStep * Vec2::Unit(i);
-            const auto plus = branches(frame->at(point + step, side)).value;
-            const auto minus = branches(frame->at(point - step, side)).value;
-            for (int a = 0; a < kBranches; ++a)
-              EXPECT_NEAR(here.gradient[a][i], (plus[a] - minus[a]) / (2 * kStep), 1e-7) << r << " " << phi;
+        for (const geometry::MaybeSide side : {geometry::MaybeSide{}, {Side::Left}, {Side::Right}})
+          for (const double blunting : {0.0, 0.02, 0.5}) {
+            const Vec2 point = on_circle(r, phi);
+            const Branches here = branches(frame->at(point, side), blunting);
+            for (const int i : {0, 1}) {
+              const Vec2 step = kStep * Vec2::Unit(i);
+              const auto plus = branches(frame->at(point + step, side), blunting).value;
+              const auto minus = branches(frame->at(point - step, side), blunting).value;
+              for (int a = 0; a < kBranches; ++a)
+                EXPECT_NEAR(here.gradient[a][i], (plus[a] - minus[a]) / (2 * kStep), 1e-7) << r << " " << phi;
+            }
           }
-        }
+}
+
+TEST(Branches, BluntOnesHaveBoundedSlopesAndAreTheOthersAfar) {
+  constexpr double kLength = 0.01;
+  for (const double phi : {-3.0, -1.0, 0.2, 1.7, 3.05}) {
+    double steepest = 0.0;
+    for (double r = 1e-14; r < 1.0; r *= 2.0)
+      for (const Vec2& slope : branches(kStraight.at(on_circle(r, phi)), kLength).gradient)
+        steepest = std::max(steepest, slope.norm());
+    EXPECT_LT(steepest, 2.0 / std::sqrt(kLength)) << phi;
+    EXPECT_GT(branches(kStraight.at(on_circle(1e-14, phi))).gradient[1].norm(), 1e6) << phi;
+    const auto sharp = branches(kStraight.at(on_circle(1.0, phi))).value;
+    const auto blunt = branches(kStraight.at(on_circle(1.0, phi)), kLength).value;
+    for (int a = 0; a < kBranches; ++a) EXPECT_NEAR(blunt[a], sharp[a], 0.5 * kLength) << phi;
+  }
 }
 
 TEST(Branches, VanishAtTheTip) {

@@ -160,53 +160,92 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
   return out;
 }
 
+void Evolution::count(const assembly::LoadStepper& done_with) {
+  assembly_before_ += done_with.assembler().seconds();
+  solver_before_ += done_with.solver().seconds();
+}
+
 void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper) {
-  assembly_before_ += stepper_->assembler().seconds();
-  solver_before_ += stepper_->solver().seconds();
+  count(*stepper_);
   stepper_ = std::move(stepper);
   model_ = std::move(model);
 }
 
-std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& observer) {
-  auto cracks = model_->cracks;
-  std::vector<Advance> advances;
-  for (const Due& due : record_.due) advances.push_back(lengthen(due, cracks));
+std::variant<Evolution::Grown, Failure> Evolution::grown(const std::vector<Due>& due,
+                                                         const assembly::IterationObserver& observer) const {
+  Grown out;
+  out.cracks = model_->cracks;
+  for (const Due& one : due) out.advances.push_back(lengthen(one, out.cracks));
   const auto failed = [&](Failure failure) {
     std::string who;
-    for (const Advance& a : advances)
-      who += fmt::format("{}{} to ({:.6g}, {:.6g}){}", who.empty() ? "" : " and ", name_of(cracks, a.tip), a.point.x(),
-                         a.point.y(), a.stop == Stop::Boundary ? " through the boundary" : "");
+    for (const Advance& a : out.advances)
+      who += fmt::format("{}{} to ({:.6g}, {:.6g}){}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
+                         a.point.x(), a.point.y(), a.stop == Stop::Boundary ? " through the boundary" : "");
     failure.place = fmt::format("after growth of {}: {}", who, failure.place);
     return failure;
   };
-  std::unique_ptr<const assembly::Model> model;
   try {
-    model = std::make_unique<const assembly::Model>(recut_(cracks));
+    out.model = std::make_unique<const assembly::Model>(recut_(out.cracks));
   } catch (const InputError& error) {
     return failed({FailureKind::Refused, error.what(), "fewer advances (growth.most)"});
   }
-  auto stepper = std::make_unique<assembly::LoadStepper>(*model, controls_);
-  auto origin = transfer(*model_, stepper_->state(), *model);
-  stepper->restore(origin, stepper_->place());
-  auto outcome = stepper->settle(observer);
+  out.stepper = std::make_unique<assembly::LoadStepper>(*out.model, controls_);
+  out.origin = transfer(*model_, stepper_->state(), *out.model);
+  out.stepper->restore(out.origin, stepper_->place());
+  auto outcome = out.stepper->settle(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) {
     failure->advice += "; or shorter advances (growth.advance)";
     return failed(std::move(*failure));
   }
-  replace(std::move(model), std::move(stepper));
-  origin_ = std::move(origin);
-  for (std::size_t c = 0; c < cracks.size(); ++c) {
-    record_.points[c] = cracks[c].points;
-    record_.s_first[c] = cracks[c].s_first;
+  out.step = std::move(std::get<assembly::Step>(outcome));
+  return out;
+}
+
+// The directions to try next: each the mean of what the criterion asked for before the advance and at its end.
+bool Evolution::correct(int corrections, const Grown& tried, std::vector<Due>& due) const {
+  bool any = false;
+  for (std::size_t k = 0; k < due.size(); ++k) {
+    const Advance& advance = tried.advances[k];
+    const Law& law = *laws_[advance.tip.crack];
+    if (corrections >= law.corrections || advance.length == 0.0 || advance.stop == Stop::Boundary) continue;
+    const Demand after =
+        std::visit([&](const auto& criterion) { return criterion.judge(tried.stepper->equilibrium(), advance.tip); },
+                   law.criterion);
+    if (std::isnan(after.measure)) continue;
+    due[k].demand.ahead = (record_.due[k].demand.ahead + after.ahead).normalized();
+    any = true;
   }
-  for (const Advance& advance : advances)
+  return any;
+}
+
+std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& observer) {
+  auto due = record_.due;
+  auto outcome = grown(due, observer);
+  int iterations_before = 0;
+  for (int corrections = 0;; ++corrections) {
+    if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
+    auto& tried = std::get<Grown>(outcome);
+    if (!correct(corrections, tried, due)) break;
+    iterations_before += tried.step.iterations_before + static_cast<int>(tried.step.iterations.size());
+    count(*tried.stepper);
+    outcome = grown(due, observer);
+  }
+  auto& made = std::get<Grown>(outcome);
+  replace(std::move(made.model), std::move(made.stepper));
+  origin_ = std::move(made.origin);
+  for (std::size_t c = 0; c < made.cracks.size(); ++c) {
+    record_.points[c] = made.cracks[c].points;
+    record_.s_first[c] = made.cracks[c].s_first;
+  }
+  for (const Advance& advance : made.advances)
     record_.tips[advance.tip.crack][advance.tip.end] = {advance.number, advance.stop};
   const Judged judged = judge(stepper_->equilibrium());
   if (auto failure = no_answer(judged)) return *failure;
   record_.measure = judged.largest;
   record_.due = judged.tips;
-  Step out{std::move(std::get<assembly::Step>(outcome)), std::move(advances),
+  Step out{std::move(made.step), std::move(made.advances),
            stepper_->state().energies.released - origin_.energies.released};
+  out.iterations_before += iterations_before;
   out.is_output = true;
   return out;
 }

@@ -99,6 +99,39 @@ TEST(Evolution, AdvancesSeveralTimesAtOneLoadUntilTheBodyIsRelieved) {
   EXPECT_EQ(body.record().tips[0][0].advances, 0);  // at the boundary
 }
 
+TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
+  auto square = edge_crack();
+  square.cells = {20, 20};
+  square.top = {0.008, 0.01};  // not symmetric: the crack turns
+  Law law = rankine(6e7, 0.1, 1);
+  const auto grown = [&](Evolution& body) {
+    for (;;) {
+      const auto outcome = body.advance();
+      if (const auto* step = std::get_if<Step>(&outcome)) {
+        if (!step->advances.empty()) return *step;
+      } else {
+        ADD_FAILURE() << assembly::describe(std::get<assembly::Failure>(outcome));
+        return Step{};
+      }
+    }
+  };
+  Evolution tried = square.evolution(law, 4);
+  const Step once = grown(tried);
+  const Vec2 before = once.advances.at(0).demand.ahead;
+  const Vec2 after = std::get<Rankine>(law.criterion).judge(tried.stepper().equilibrium(), {0, 1}).ahead;
+  ASSERT_GT((after - before).norm(), 0.01);
+
+  law.corrections = 1;
+  Evolution corrected = square.evolution(law, 4);
+  const Step twice = grown(corrected);
+  EXPECT_EQ(twice.load, once.load);
+  EXPECT_EQ(twice.number, once.number);
+  const Advance& advance = twice.advances.at(0);
+  EXPECT_NEAR(advance.angle, std::atan2((before + after).y(), (before + after).x()), 1e-9);
+  EXPECT_NEAR(advance.length, 0.1, 1e-12);
+  EXPECT_EQ(twice.iterations_before, once.iterations_before + static_cast<int>(once.iterations.size()));
+}
+
 TEST(Evolution, CutsThroughAtTheBoundaryWhereAnAdvanceIsLongerThanTheLigament) {
   for (const double advance : {0.3, 2.0}) {
     auto square = edge_crack();

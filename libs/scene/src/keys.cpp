@@ -74,6 +74,7 @@ constexpr std::array kKeys = {
     Key{"crack.growth", "advance", "number", "length of one advance, m"},
     Key{"crack.growth", "most", "integer", "advances of each tip; default 1000"},
     Key{"crack.growth", "tips", "text", "both | start | end: which ends grow; default both"},
+    Key{"crack.growth", "corrections", "integer", "of the direction of each advance, 0 to 10; default 0"},
     Key{"crack.growth", "load_tolerance", "number", "of the load at which a tip advances; default 1e-4"},
     Key{"boundary", "on", "text", "named part of the boundary"},
     Key{"boundary", "box", "4 numbers", "all nodes inside, xmin, ymin, xmax, ymax, m"},

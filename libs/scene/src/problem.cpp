@@ -241,6 +241,7 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
   m.cracks = std::move(cracks);
   m.cut = cut_located(scene, m.mesh, m.cracks);
   m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
+  if (scene.kinematics == Kinematics::Finite) m.unknowns.blunting = enrichment::kBlunting;
   m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
   if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
   m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);

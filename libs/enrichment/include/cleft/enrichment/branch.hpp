@@ -13,7 +13,11 @@ inline constexpr int kBranches = 4;
 /// The part of a ball's radius within which the functions count in full.
 inline constexpr double kPlateau = 0.65;
 
-/// The four functions at one point. Only the second jumps over the crack, by 2 sqrt(r).
+/// Where strains are finite, the length over which the functions are blunt, as a part of the size of the tip's element.
+/// Enough for compression by an eighth across a crack; intensities by integral move by half a per cent.
+inline constexpr double kBlunting = 0.2;
+
+/// The four functions at one point. Only the second jumps over the crack, by twice its radial part.
 struct Branches {
   std::array<double, kBranches> value{};   ///< m^(1/2)
   std::array<Vec2, kBranches> gradient{};  ///< m^(-1/2)
@@ -21,7 +25,11 @@ struct Branches {
 
 /// sqrt(r) {cos(t/2), sin(t/2), sin(t/2) sin t, cos(t/2) sin t} at the angle t (Belytschko and Black 1999): linear
 /// combinations are the displacement of an elastic body at a crack tip. Gradients are zero at the tip itself.
-Branches branches(const geometry::TipPolar& at);
+///
+/// With a `blunting` b (metres) the radial part is r / sqrt(r + b), whose slope is at most b^(-1/2). Strains that grow
+/// without bound are a solution at small strain only: at finite strain they turn the points next to a tip in mode II
+/// inside out, whatever the amplitudes, within a distance that does not shrink with the elements.
+Branches branches(const geometry::TipPolar& at, double blunting = 0.0);
 
 /// chi(r): 1 up to `plateau`, 0 from `radius` on (metres), between them a polynomial of degree 5 with two continuous
 /// derivatives.

@@ -58,6 +58,9 @@ struct Piece {
 /// How a triangle in a ball is divided.
 std::vector<Piece> pieces_of(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element);
 
+/// The blunting of a tip's functions, metres.
+double blunting_at(const geometry::Mesh& mesh, const Unknowns& unknowns, const geometry::TipBall& ball);
+
 /// The displacement at `point` of triangle `element`, on `side` of it where it is divided, or at a face of a tip's own
 /// triangle: three unknowns, or seven in a ball.
 Stencil stencil_at(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns, Index element,

@@ -30,6 +30,7 @@ struct Unknowns {
   /// for an amplitude or multiplier.
   std::vector<geometry::MaybeSide> side_of;
   double plateau = kPlateau;  ///< part of a ball's radius within which its functions count in full
+  double blunting = 0.0;      ///< of the functions, as a part of the size of the tip's element
   Index multipliers = 0;      ///< how many of the last unknowns are multipliers
   Index enriched() const { return displacements() - nodes; }
   Index displacements() const { return count - multipliers; }  ///< nodes, ghosts and amplitudes
