@@ -35,11 +35,12 @@ build() {
   cmake --build --preset release --parallel "$(nproc)" --target "$1"
 }
 
-# The libraries, lowest first; run_tests_of_libraries PRESET runs their own tests.
+# The libraries, lowest first; run_tests_of_libraries PRESET [ctest options] runs their own tests.
 libraries=(support geometry constitutive contact enrichment assembly growth scene verify)
 
 run_tests_of_libraries() {
-  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" --label-regex "^($(IFS='|' && echo "${libraries[*]}"))$"
+  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" \
+    --label-regex "^($(IFS='|' && echo "${libraries[*]}"))$" "${@:2}"
 }
 
 mapfile -t packages < <(grep -v '^#' tools/packages.txt | grep .)
