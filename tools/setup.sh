@@ -1,5 +1,5 @@
-# Sourced by run.sh, test.sh and verification/run.sh: goes to the root of the project, installs the packages that are missing
-# (nothing missing: nothing is asked of the network) and gives them `build`.
+# Sourced by the scripts of this folder and of verification/: goes to the root of the project, installs the packages that are missing
+# (nothing missing: nothing is asked of the network) and gives them what follows.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." > /dev/null
 
@@ -7,11 +7,12 @@ say() { printf '== %s\n' "$*"; }
 
 is_installed() { dpkg-query --show --showformat='${db:Status-Status}\n' "$1" 2> /dev/null | grep -qx installed; }
 
+# install_missing_packages PACKAGE...
 install_missing_packages() {
   local package missing=() as_root=()
-  while read -r package; do
+  for package; do
     is_installed "$package" || missing+=("$package")
-  done < <(grep -v '^#' tools/packages.txt | grep .)
+  done
   [[ ${#missing[@]} -gt 0 ]] || return 0
 
   if [[ $(id -u) -ne 0 ]]; then
@@ -27,11 +28,20 @@ install_missing_packages() {
     apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
 }
 
-# build TARGET: configures the release preset and builds one of its targets.
+# build TARGET: configures the release preset, with warnings as errors (this is Debian 12 with its gcc 12), and builds one of its targets.
 build() {
   say "configuring and building the release preset in build/release (target $1)"
-  cmake --preset release
+  cmake --preset release -D CMAKE_COMPILE_WARNING_AS_ERROR=ON
   cmake --build --preset release --parallel "$(nproc)" --target "$1"
 }
 
-install_missing_packages
+# The libraries, lowest first; run_tests_of_libraries PRESET [ctest options] runs their own tests.
+libraries=(support geometry constitutive contact enrichment assembly growth scene verify)
+
+run_tests_of_libraries() {
+  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" \
+    --label-regex "^($(IFS='|' && echo "${libraries[*]}"))$" "${@:2}"
+}
+
+mapfile -t packages < <(grep -v '^#' tools/packages.txt | grep .)
+install_missing_packages "${packages[@]}"

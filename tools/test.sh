@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests.
+# Builds everything and runs all tests, those of the libraries with sanitizers first.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+tools/sanitize.sh
 build all
 
 say "running the tests"

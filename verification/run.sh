@@ -5,5 +5,5 @@ source "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
 build test_verification
 
 say "running the verification suite"
-export TEST_TMPDIR=build/release/tests/scratch
+export TEST_TMPDIR=$PWD/build/release/tests/scratch
 build/release/tests/test_verification --gtest_brief=1

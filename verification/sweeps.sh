@@ -7,7 +7,7 @@ build test_verification
 
 out=${1:-results/sweeps}
 mkdir -p "$out"
-export CLEFT_SWEEPS_TO=$out CLEFT_RANDOM_CRACKS=${CLEFT_RANDOM_CRACKS:-1000} TEST_TMPDIR=build/release/tests/scratch
+export CLEFT_SWEEPS_TO=$out CLEFT_RANDOM_CRACKS=${CLEFT_RANDOM_CRACKS:-1000} TEST_TMPDIR=$PWD/build/release/tests/scratch
 build/release/tests/test_verification --gtest_brief=1 --gtest_filter='*HardSweep*:*HardRandom*'
 gnuplot -e "folder='$out'" verification/hard/sweeps.gp
-say "the figure is $PWD/$out/sweeps.svg"
+say "the figure is $(realpath "$out")/sweeps.svg"

@@ -6,8 +6,12 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <set>
 #include <thread>
 
 #include "cleft/scene/files.hpp"
@@ -171,35 +175,57 @@ TEST(Program, TellsItsVersion) {
   EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(o.text[0]))) << o.text;
 }
 
-// Kills the program at several moments and resumes it until it is done.
-TEST(Program, AKilledRunResumesToTheSameHistory) {
-  const std::string arguments = "run " + kScenes + "block.toml --set 'mesh.cells=[16,32]' -o ";
-  const std::string whole = fresh("whole"), killed = fresh("killed");
-  ASSERT_EQ(call(arguments + whole).code, 0);
-  int kills = 0;
-  for (int k = 0; k < 40; ++k) {
-    const bool resume = std::filesystem::exists(killed + "/checkpoint");
-    const pid_t child = fork();
-    if (child == 0) {
-      if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(1);
-      const std::string scene = kScenes + "block.toml";
-      execl(CLEFT_PROGRAM, CLEFT_PROGRAM, "run", scene.c_str(), "--set", "mesh.cells=[16,32]", "-o", killed.c_str(),
-            resume ? "--resume" : nullptr, nullptr);
-      _exit(127);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 7 * k));
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (WIFEXITED(status)) {
-      ASSERT_EQ(WEXITSTATUS(status), 0);
-      break;
+// Starts the program, or resumes it where a checkpoint is, and kills it after a while. Whether it was still running.
+bool is_killed(const std::string& scene, const std::string& out, std::chrono::microseconds after) {
+  const bool resume = std::filesystem::exists(out + "/checkpoint");
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!freopen("/dev/null", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(1);
+    execl(CLEFT_PROGRAM, CLEFT_PROGRAM, "run", scene.c_str(), "--set", "mesh.cells=[8,16]", "-o", out.c_str(),
+          resume ? "--resume" : nullptr, nullptr);
+    _exit(127);
+  }
+  std::this_thread::sleep_for(after);
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFEXITED(status)) EXPECT_EQ(WEXITSTATUS(status), 0);
+  return WIFSIGNALED(status);
+}
+
+// Kills the program at 50 random moments, resuming it each time until it is done, and then beginning anew.
+TEST(Program, KilledAtRandomMomentsResumesToTheSameHistory) {
+  constexpr int kKills = 50;
+  const std::string scene = kScenes + "block.toml", whole = fresh("whole"), killed = fresh("killed");
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(call("run " + scene + " --set 'mesh.cells=[8,16]' -o " + whole).code, 0);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  std::mt19937 random(50);
+  std::uniform_real_distribution<double> moment(0.0, 0.6 * seconds);
+  std::set<std::size_t> rows;  // of the history when the program was killed
+  const auto expect_the_same = [&] {
+    for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd"})
+      EXPECT_EQ(scene::read_bytes(killed + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+  };
+  int kills = 0, ends = 0;
+  while (kills < kKills && ends < kKills) {
+    if (!is_killed(scene, killed, std::chrono::microseconds(std::llround(1e6 * moment(random))))) {
+      ++ends;
+      expect_the_same();
+      std::filesystem::remove_all(killed);
+      continue;
     }
     ++kills;
+    const std::string history = killed + "/history.csv";
+    rows.insert(std::filesystem::exists(history) ? scene::read_csv(history).rows.size() : 0);
   }
-  EXPECT_GE(kills, 2);
-  for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd"})
-    EXPECT_EQ(scene::read_bytes(killed + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+  ASSERT_EQ(kills, kKills);
+  const std::string go_on = std::filesystem::exists(killed + "/checkpoint") ? " --resume -o " : " -o ";
+  ASSERT_EQ(call("run " + scene + " --set 'mesh.cells=[8,16]'" + go_on + killed).code, 0);
+  expect_the_same();
+  EXPECT_GE(rows.size(), 10u) << "states in which it was killed";
+  std::printf("%d kills in %zu states of the history, the same end %d times\n", kills, rows.size(), ends + 1);
 }
 
 }  // namespace

@@ -26,6 +26,11 @@ const std::string kSofter = "smaller increments (loading.steps), a softer penalt
 const std::string kHeld =
     "prescribing more components, or bringing the parts into contact (is every part of the body held?)";
 
+// A crack with a step across its way, on which the faces catch.
+const std::vector<std::string> kCorners = {
+    "mesh.cells=[16,32]", "loading.steps=50", "boundary.top.ux=-0.01", "boundary.top.uy=-0.01",
+    points_of("main", {{0.0, 0.01833}, {0.0167, 0.0338}, {0.0177, 0.0332}, {0.0349, 0.05323}})};
+
 std::vector<Fault> faults() {
   const auto plastic = [](std::vector<std::string> more) {
     more.push_back(
@@ -40,6 +45,10 @@ std::vector<Fault> faults() {
        "the iteration did not converge",
        ", relative residual [-.0-9e]+ after [0-9]+ iterations, largest at " + kNode + ".*" + kLoad,
        kSofter + " at the crack"},
+      {"CornersThatPassEachOther", "block", kCorners, "the iteration did not converge",
+       ", relative residual [-.0-9e]+ after [0-9]+ iterations, largest at " + kNode +
+           ".*.they chatter; [0-9]+ corrections were halved." + kLoad,
+       kSofter + " at the crack; or, where corners pass each other, contact.method = \"mortar\""},
       {"SpringsThatHideTheForces",
        "block",
        {"crack.main.contact={normal_penalty=1e27,tangential_penalty=1e27}"},
@@ -83,6 +92,12 @@ std::vector<Fault> faults() {
        "; the body may be at a limit load: loading.control = \"path\" goes beyond it, material.viscosity delays flow "
        "that "
        "localises"},
+      {"PathBackToLoadZero",
+       "arch",
+       {},
+       "the path of equilibrium leads back to load 0",
+       ", from load [-+.0-9e]+; try ",
+       "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"},
       {"NoShorterStepOfThePath", "block", plastic({"loading.control=\"path\""}), "the iteration did not converge",
        ".*, on the path from load [-.0-9e]+, increments down to [-.0-9e]+ of the last; try ",
        kSofter + " at the crack"},

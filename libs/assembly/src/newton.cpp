@@ -97,6 +97,13 @@ void eliminate(const std::vector<Constraint>& constraints, double diagonal, Bloc
   }
 }
 
+// Springs of one side's points jump where these pass a corner of the other; hats and springs of both sides share it.
+std::string remedy(const Model& model, int halved) {
+  const std::string all = "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack";
+  const bool springs = model.surfaces.hats.nodes.empty();
+  return halved > 0 && springs ? all + "; or, where corners pass each other, contact.method = \"mortar\"" : all;
+}
+
 // How the right-hand side and the prescribed values follow the load.
 struct LoadRate {
   VecX dead, prescribed;
@@ -221,6 +228,10 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   double correction = std::numeric_limits<double>::infinity();
   double first_residual = 0.0;
   for (int i = 0;; ++i) {
+    if (along_path && !(load > 0.0)) {  // below load 0 amplitudes stay as they are: no path leads on from there
+      out.failure = Failure{FailureKind::NoConvergence, "its load fell below 0", remedy(model, 0)};
+      return out;
+    }
     Iteration it;
     const auto seconds = [&] {
       const auto& s = assembler.seconds();
@@ -264,7 +275,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const int most = controls.max_iterations + std::min(chatter.halved(), controls.max_iterations);
     if (i == most || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence, unrest(model, it, i, rhs, chatter.halved()),
-                            "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack"};
+                            remedy(model, chatter.halved())};
       return out;
     }
 

@@ -78,6 +78,10 @@ Increment LoadStepper::try_load(double before, const IterationObserver& observer
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {
   Increment increment = solve({.stretch = place_.stretch}, observer);
+  if (increment.failure && !(increment.load > 0.0) && state_.load < state_.previous_load) {
+    Increment at_zero = solve({0.0}, observer);  // where the path gets there, and not by going back the way it came
+    if (!at_zero.failure && state_.progress.dot(at_zero.displacement - state_.displacement) > 0.0) return at_zero;
+  }
   if (increment.failure || increment.load <= next_output()) return increment;
   return solve({next_output()}, observer);
 }

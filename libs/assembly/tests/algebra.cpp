@@ -86,13 +86,6 @@ TEST(LinearSolver, ASingularMatrixIsReported) {
   }
 }
 
-StepControls in_steps(int steps, std::vector<double> outputs = {}) {
-  StepControls c;
-  c.steps = steps;
-  c.outputs = std::move(outputs);
-  return c;
-}
-
 Model square(double top) {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {4, 4}, geometry::Diagonal::Alternating);
@@ -103,7 +96,7 @@ Model square(double top) {
 
 TEST(LoadStepper, AnUnloadedBodyConvergesAtOnce) {
   const Model m = square(0.0);
-  LoadStepper stepper(m, in_steps(1));
+  LoadStepper stepper(m, models::in_steps(1));
   const auto outcome = stepper.advance();
   ASSERT_TRUE(std::holds_alternative<Step>(outcome));
   EXPECT_TRUE(std::get<Step>(outcome).iterations.empty());
@@ -111,7 +104,7 @@ TEST(LoadStepper, AnUnloadedBodyConvergesAtOnce) {
 
 TEST(LoadStepper, AnIncrementThatIsFarTooLargeIsCut) {
   const Model m = square(-0.75);
-  StepControls controls = in_steps(1);
+  StepControls controls = models::in_steps(1);
   controls.newton.max_iterations = 4;
   LoadStepper stepper(m, controls);
   int cuts = 0;
@@ -125,7 +118,7 @@ TEST(LoadStepper, AnIncrementThatIsFarTooLargeIsCut) {
 
 TEST(LoadStepper, FailuresNameTheElementThatInverts) {
   const Model m = square(-1.5);  // the top passes through the bottom
-  StepControls controls = in_steps(4);
+  StepControls controls = models::in_steps(4);
   controls.min_step = 0.05;
   LoadStepper stepper(m, controls);
   std::variant<Step, Failure> outcome;
@@ -143,7 +136,7 @@ TEST(LoadStepper, ElasticWorkIsStoredAndItsTrapezoidalErrorFallsWithTheSquareOfT
   double last = 0.0;
   for (const int steps : {4, 8}) {
     const Model m = square(-0.2);
-    LoadStepper stepper(m, in_steps(steps));
+    LoadStepper stepper(m, models::in_steps(steps));
     while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
     const double error = std::fabs(stepper.state().energies.imbalance());
     if (steps == 8) {
@@ -156,7 +149,7 @@ TEST(LoadStepper, ElasticWorkIsStoredAndItsTrapezoidalErrorFallsWithTheSquareOfT
 
 TEST(LoadStepper, HitsOutputsExactly) {
   const Model m = square(-0.1);
-  LoadStepper stepper(m, in_steps(3, {0.1, 0.77}));
+  LoadStepper stepper(m, models::in_steps(3, {0.1, 0.77}));
   std::vector<double> loads;
   while (!stepper.done()) loads.push_back(std::get<Step>(stepper.advance()).load);
   for (const double load : {0.1, 1.0 / 3, 2.0 / 3, 0.77, 1.0})
@@ -173,7 +166,7 @@ TEST(LoadStepper, AHomogeneousDeformationIsReproduced) {
         {on, geometry::boundary_nodes(m.mesh, on), {true, true}, [A](const Vec2& X, geometry::MaybeSide, double load) {
            return Vec2(load * A * X);
          }});
-  LoadStepper stepper(m, in_steps(2));
+  LoadStepper stepper(m, models::in_steps(2));
   while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   for (const auto& cell : m.cells)
     EXPECT_LT((cell.deformation(stepper.state().displacement) - Mat2::Identity() - A).norm(), 1e-12);

@@ -20,12 +20,6 @@ Model square(bool cracked, double penalty_scale, double friction, const Vec2& to
   return m;
 }
 
-StepControls in_steps(int steps) {
-  StepControls c;
-  c.steps = steps;
-  return c;
-}
-
 void finish(LoadStepper& stepper) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
@@ -48,13 +42,13 @@ TEST_P(Patch, ACrackThatSticksIsAsGoodAsNoneUpToTheSofteningOfItsPenalty) {
     return model;
   };
   const Model whole = press(square(false, 0, 0, {0, 0}));
-  LoadStepper reference(whole, in_steps(2));
+  LoadStepper reference(whole, models::in_steps(2));
   ASSERT_NO_FATAL_FAILURE(finish(reference));
   const double force = reference.reactions()[1].y();
   double last = 0.0;
   for (const double scale : {10.0, 100.0, 1000.0}) {
     const Model model = press(square(true, scale, 10.0, {0, 0}, GetParam()));
-    LoadStepper stepper(model, in_steps(2));
+    LoadStepper stepper(model, models::in_steps(2));
     ASSERT_NO_FATAL_FAILURE(finish(stepper));
     for (const auto& pair : stepper.pairs()) EXPECT_EQ(pair.state.traction.status, contact::Status::Stick);
     const double softening = 1.0 - stepper.reactions()[1].y() / force;
@@ -72,7 +66,7 @@ TEST_P(Patch, WithoutFrictionAFlatCrackSlidesFreely) {
   Model model = square(true, 100.0, 0.0, {0.05, -0.01}, GetParam());
   model.cracks = {{"flat", {{0.0, 0.51}, {1.0, 0.51}}}};
   models::discretise(model, 100.0, 0.0, GetParam(), kYoung);
-  LoadStepper stepper(model, in_steps(5));
+  LoadStepper stepper(model, models::in_steps(5));
   ASSERT_NO_FATAL_FAILURE(finish(stepper));
   const Vec2 force = stepper.reactions()[1];
   EXPECT_LT(force.y(), -0.009 * kYoung);
@@ -84,7 +78,7 @@ TEST_P(Patch, CoulombsLawHoldsForTheResultantsOfAFlatSlidingCrack) {
   Model model = square(true, 100.0, 0.0, {0.05, -0.01}, GetParam());
   model.cracks = {{"flat", {{0.0, 0.51}, {1.0, 0.51}}}};
   models::discretise(model, 100.0, 0.2, GetParam(), kYoung);
-  LoadStepper stepper(model, in_steps(10));
+  LoadStepper stepper(model, models::in_steps(10));
   ASSERT_NO_FATAL_FAILURE(finish(stepper));
   const Vec2 force = stepper.reactions()[1];
   EXPECT_NEAR(force.x() / -force.y(), 0.2, 0.02);
@@ -101,7 +95,7 @@ TEST(Failures, ABodyThatFloatsIsReportedAndTheStateStaysAtWhatConverged) {
     for (const Index node : top) force[2 * node + 1] = 1e3 * load;
     return force;
   });
-  StepControls controls = in_steps(1);
+  StepControls controls = models::in_steps(1);
   controls.min_step = 0.1;
   LoadStepper stepper(model, controls);
   std::variant<Step, Failure> outcome;

@@ -10,7 +10,7 @@
 namespace cleft::assembly {
 namespace {
 
-constexpr double kYoung = 1.0e4, kPoisson = 0.25, kTraction = 5000.0;
+constexpr double kBarYoung = 1.0e4, kPoisson = 0.25, kTraction = 5000.0;
 
 Prescribed hold_component(const Model& m, const std::string& on, int component) {
   Prescribed p{on,
@@ -24,8 +24,8 @@ Prescribed hold_component(const Model& m, const std::string& on, int component) 
 Model bar() {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 0.5, 1.0}, {2, 3}, geometry::Diagonal::Right);
-  models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, kYoung);
-  m.materials = {constitutive::Hencky{constitutive::lame(kYoung, kPoisson)}};
+  models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, kBarYoung);
+  m.materials = {constitutive::Hencky{constitutive::lame(kBarYoung, kPoisson)}};
   m.prescribed = {hold_component(m, "bottom", 1), hold_component(m, "left", 0)};
   VecX force = VecX::Zero(m.unknowns.components());
   for (const auto& [i, j] : m.mesh.boundaries.at("top")) {
@@ -37,7 +37,7 @@ Model bar() {
   return m;
 }
 
-double nominal_stress(double stretch) { return kYoung / (1.0 - kPoisson * kPoisson) * std::log(stretch) / stretch; }
+double nominal_stress(double stretch) { return kBarYoung / (1.0 - kPoisson * kPoisson) * std::log(stretch) / stretch; }
 
 double stretch_of(const Model& m, const State& s) {
   return 1.0 + s.displacement[2 * geometry::boundary_nodes(m.mesh, "top").front() + 1];

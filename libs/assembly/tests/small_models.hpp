@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cleft/assembly/model.hpp"
+#include "cleft/assembly/stepping.hpp"
 
 namespace cleft::assembly::models {
 
@@ -21,6 +21,13 @@ inline void discretise(Model& m, double penalty_scale, double friction, contact:
                 {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size, friction});
   s.sides.assign(m.cracks.size(), side);
   s.points = contact::place_points(s, 2);
+}
+
+inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
+  StepControls c;
+  c.steps = steps;
+  c.outputs = std::move(outputs);
+  return c;
 }
 
 inline Prescribed hold(const Model& m, const std::string& on, const Vec2& at_full_load) {

@@ -12,9 +12,6 @@
 namespace cleft::constitutive {
 namespace {
 
-using test::rotation;
-using test::Step;
-
 static_assert(PathDependent<FinitePlastic> && PathDependent<SmallPlastic>);
 static_assert(!PathDependent<Hencky> && !PathDependent<LinearElastic>);
 
@@ -46,7 +43,7 @@ TYPED_TEST(Plastic, TangentIsTheDerivativeOfTheStressInEveryBranch) {
   std::array<int, 3> visits{};
   for (const auto& [name, material] : test::materials()) {
     const TypeParam law{material};
-    for (const Step& step : test::steps(law, 5)) {
+    for (const test::Step& step : test::steps(law, 5)) {
       PlasticState updated;
       const Mat4 D = law.respond(step.F, step.committed, updated).tangent;
       const Branch branch = test::branch_of_step(law, step, step.F);
@@ -85,7 +82,7 @@ TYPED_TEST(Plastic, ElasticStepLeavesTheStateAsItIs) {
 TYPED_TEST(Plastic, StateAtTheEndGivesTheSameStressAgain) {
   for (const auto& [name, material] : test::materials()) {
     const TypeParam law{material};
-    for (const Step& step : test::steps(law, 6)) {
+    for (const test::Step& step : test::steps(law, 6)) {
       PlasticState once, twice;
       const Response first = law.respond(step.F, step.committed, once);
       const Response again = law.respond(step.F, once, twice);
@@ -111,7 +108,7 @@ TYPED_TEST(Plastic, ViscosityIsTheHardeningOfOneStep) {
     viscous.viscosity = 30.0;
     hardening.hardening = viscous.viscosity / duration;
     int flows = 0;
-    for (const Step& step : test::steps(TypeParam{material}, 9)) {
+    for (const test::Step& step : test::steps(TypeParam{material}, 9)) {
       PlasticState fresh = step.committed, a, b;
       fresh.accumulated = 0.0;
       const Response v = TypeParam{viscous}.respond(step.F, fresh, a, duration);
@@ -135,7 +132,7 @@ TYPED_TEST(Plastic, AssociatedFlowDerivesFromAPotential) {
   for (const auto& [name, material] : test::materials()) {
     if (material.friction != material.dilatancy) continue;
     const TypeParam law{material};
-    for (const Step& step : test::steps(law, 7)) {
+    for (const test::Step& step : test::steps(law, 7)) {
       const auto potential = [&](const Mat2& F) {
         PlasticState updated;
         law.respond(F, step.committed, updated);
@@ -161,7 +158,7 @@ TYPED_TEST(Plastic, AssociatedFlowDerivesFromAPotential) {
 TYPED_TEST(Plastic, OutOfPlaneStressCompletesTheYieldCondition) {
   for (const auto& [name, material] : test::materials()) {
     const TypeParam law{material};
-    for (const Step& step : test::steps(law, 8)) {
+    for (const test::Step& step : test::steps(law, 8)) {
       PlasticState updated;
       const Response r = law.respond(step.F, step.committed, updated);
       if (updated.accumulated == step.committed.accumulated) continue;
@@ -179,9 +176,9 @@ TYPED_TEST(Plastic, OutOfPlaneStressCompletesTheYieldCondition) {
 TEST(FinitePlastic, TurnsWithASuperposedRotation) {
   for (const auto& [name, material] : test::materials()) {
     const FinitePlastic law{material};
-    for (const Step& step : test::steps(law, 9))
+    for (const test::Step& step : test::steps(law, 9))
       for (const double angle : {0.3, 1.5707963267948966, 2.9}) {
-        const Mat2 R = rotation(angle);
+        const Mat2 R = test::rotation(angle);
         PlasticState still, turned;
         const Mat2 expected = R * law.respond(step.F, step.committed, still).piola;
         const Mat2 found = law.respond(R * step.F, step.committed, turned).piola;
@@ -196,7 +193,7 @@ TEST(FinitePlastic, IsHenckyWhereElastic) {
   const Lame c = lame(1.0e4, 0.25);
   const FinitePlastic law{{c, 1e9, 0.3, 0.1, 0.0}};
   const Hencky hencky{c};
-  for (const Step& step : test::steps(law, 10)) {
+  for (const test::Step& step : test::steps(law, 10)) {
     PlasticState updated;
     const Response found = law.respond(step.F, {}, updated), expected = hencky.respond(step.F);
     EXPECT_LE((found.piola - expected.piola).norm(), 1e-14 * c.mu + 1e-14 * expected.piola.norm());
@@ -271,7 +268,7 @@ TEST(FinitePlastic, J2FlowKeepsTheVolumeOverManySteps) {
 TEST(SmallPlastic, TangentHasBothMinorSymmetries) {
   for (const auto& [name, material] : test::materials()) {
     const SmallPlastic law{material};
-    for (const Step& step : test::steps(law, 12)) {
+    for (const test::Step& step : test::steps(law, 12)) {
       PlasticState updated;
       const Mat4 D = law.respond(step.F, step.committed, updated).tangent;
       EXPECT_EQ((D.row(1) - D.row(2)).norm(), 0.0);

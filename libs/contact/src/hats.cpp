@@ -6,7 +6,7 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kCrumb = 1e-9;  // of a face: a strip that is no longer is none
+constexpr double kNoStrip = 1e-9;  // of a face: a strip that is no longer is none
 
 double length_of(const enrichment::Face& face) { return face.s_end - face.s_start; }
 
@@ -49,9 +49,9 @@ void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<Hat
     double begin = 0.0;
     while (begin < 1.0) {
       const double end = k + 1 < count ? (s[k + 1] - faces[f].s_start) / length_of(faces[f]) : 1.0;
-      const bool last = end >= 1.0 - kCrumb;
-      if (end > begin + kCrumb) strips[f].push_back({f, first + k, begin, last ? 1.0 : end});
-      if (end <= 1.0 + kCrumb && k + 1 < count) ++k;
+      const bool last = end >= 1.0 - kNoStrip;
+      if (end > begin + kNoStrip) strips[f].push_back({f, first + k, begin, last ? 1.0 : end});
+      if (end <= 1.0 + kNoStrip && k + 1 < count) ++k;
       if (last) break;
       begin = std::max(begin, end);
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kVertex = 1e-10;  // both neighbours of a vertex are tried, so that none is lost between them
 
-struct Ray {
+struct PointRay {
   Vec2 y, t, n;
   double length, reach;
   Index crack;
@@ -22,7 +22,7 @@ struct Hit {
   double gap = std::numeric_limits<double>::infinity();
 };
 
-Ray ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double radius) {
+PointRay ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double radius) {
   const Point& point = surfaces.points[p];
   const Vec2 along = at.end[point.face] - at.start[point.face];
   const double length = along.norm();
@@ -33,7 +33,7 @@ Ray ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double ra
 }
 
 // Where the ray's line meets the line of a face, if that face looks at the ray.
-bool meets(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Index f, double& xi, double& gap) {
+bool meets(const Surfaces& surfaces, const FacePositions& at, const PointRay& ray, Index f, double& xi, double& gap) {
   const Vec2 e = at.end[f] - at.start[f];
   const double et = e.dot(ray.t);
   if (surfaces.faces[f].normal_sign() * turn_left(e).dot(ray.n) >= 0.0 || et == 0.0) return false;
@@ -52,7 +52,7 @@ double inner_share(const Point& point, double length, int direction) {
 double outer_share(const Point& point, double length, int direction) { return inner_share(point, length, -direction); }
 
 // +1 if the face continues along the ray's tangent from its free end, -1 if against it.
-int direction_of(const FacePositions& at, const Ray& ray, Index f, bool at_end) {
+int direction_of(const FacePositions& at, const PointRay& ray, Index f, bool at_end) {
   const bool along = (at.end[f] - at.start[f]).dot(ray.t) > 0.0;
   return along != at_end ? 1 : -1;
 }
@@ -102,7 +102,7 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
     const Point& point = surfaces.points[p];
     Pair& pair = pairs[p];
     pair = Pair{};
-    const Ray ray = ray_of(surfaces, positions_, p, radius);
+    const PointRay ray = ray_of(surfaces, positions_, p, radius);
     if (!(ray.length > 0.0)) continue;
     Hit hit;
     const Vec2 from = ray.y - radius * ray.n, to = ray.y + radius * ray.n;

@@ -72,9 +72,9 @@ struct Branch {
   Status status;
 };
 
-class Pair : public testing::TestWithParam<Branch> {};
+class ContactPair : public testing::TestWithParam<Branch> {};
 
-TEST_P(Pair, TangentIsTheDerivativeOfTheForce) {
+TEST_P(ContactPair, TangentIsTheDerivativeOfTheForce) {
   const Branch& b = GetParam();
   for (const double sign : {1.0, -1.0})
     for (const double angle : {0.0, 0.7, 2.5}) {
@@ -91,7 +91,7 @@ TEST_P(Pair, TangentIsTheDerivativeOfTheForce) {
     }
 }
 
-TEST_P(Pair, ForcesAndTheirMomentsAddUpToNothing) {
+TEST_P(ContactPair, ForcesAndTheirMomentsAddUpToNothing) {
   const Branch& b = GetParam();
   for (const double sign : {1.0, -1.0}) {
     PairConstants c = constants(sign);
@@ -113,7 +113,7 @@ TEST_P(Pair, ForcesAndTheirMomentsAddUpToNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Branches, Pair,
+INSTANTIATE_TEST_SUITE_P(Branches, ContactPair,
                          testing::Values(Branch{"stick", 0.001, 0.0, 0, true, Status::Stick},
                                          Branch{"slip", 0.5, 0.0, 0, true, Status::Slip},
                                          Branch{"slip back", -0.5, 0.0, 0, true, Status::Slip},

@@ -8,7 +8,7 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kNormal = 1e3, kTangential = 2e3, kFriction = 0.5;
+constexpr double kNormal = 1e3, kAlong = 2e3, kFriction = 0.5;
 
 class Undeformed : public testing::TestWithParam<NegativeSide> {
  protected:
@@ -33,7 +33,7 @@ TEST_P(Undeformed, ThePartnerStaysThePointOppositeHoweverFarTheFacesSlide) {
 }
 
 TEST_P(Undeformed, TractionsFollowTheLawThroughSlidingAndReversal) {
-  const double strength = kFriction * kNormal * 1e-3, elastic = strength / kTangential;
+  const double strength = kFriction * kNormal * 1e-3, elastic = strength / kAlong;
   const auto expect = [&](double along, Status status, double tangential, double slip) {
     s.look(s.shift({along, -1e-3}));
     for (const auto& pair : s.pairs) {
@@ -51,7 +51,7 @@ TEST_P(Undeformed, TractionsFollowTheLawThroughSlidingAndReversal) {
 }
 
 TEST_P(Undeformed, ForceIsLinearOnEveryBranchAndItsTangentItsSlope) {
-  const double elastic = kFriction * kNormal * 1e-3 / kTangential;
+  const double elastic = kFriction * kNormal * 1e-3 / kAlong;
   for (const double along : {0.5 * elastic, 3.0 * elastic, -3.0 * elastic}) {
     const VecX u = s.shift({along, -1e-3}, 1e-6);
     s.look(u);

@@ -10,14 +10,14 @@
 namespace cleft::enrichment {
 namespace {
 
-struct Body {
+struct TiedBody {
   geometry::Mesh mesh;
   geometry::CutMesh cut;
   Unknowns unknowns;
   std::vector<Cell> cells;
   std::vector<GhostTie> ties;
 
-  explicit Body(const std::vector<Vec2>& crack)
+  explicit TiedBody(const std::vector<Vec2>& crack)
       : mesh(geometry::structured_mesh({0, 0, 4, 4}, {4, 4}, geometry::Diagonal::Right)),
         cut(geometry::cut(mesh, {{"crack", crack}})),
         unknowns(number_unknowns(mesh, cut)),
@@ -35,12 +35,12 @@ struct Body {
 };
 
 // The crack passes the nodes of the middle row at the distance `offset` above them.
-Body near_a_row(double offset) { return Body({{0.0, 2.0 + offset}, {4.0, 2.0 + offset}}); }
+TiedBody near_a_row(double offset) { return TiedBody({{0.0, 2.0 + offset}, {4.0, 2.0 + offset}}); }
 
 TEST(GhostTies, ThereAreNoneWhereNoCutIsSmall) { EXPECT_TRUE(near_a_row(0.5).ties.empty()); }
 
 TEST(GhostTies, HoldEveryGhostOfASmallSupportAndNoOthers) {
-  const Body body = near_a_row(1e-3);  // below the crack a sliver remains of each triangle above the row
+  const TiedBody body = near_a_row(1e-3);  // below the crack a sliver remains of each triangle above the row
   std::set<Index> tied;
   for (const auto& tie : body.ties) {
     EXPECT_EQ(body.cells[tie.cell].side_if_cut(), geometry::Side::Right);
@@ -71,7 +71,7 @@ TEST(GhostTies, StrengthFallsToNothingAsTheSupportGrows) {
 }
 
 TEST(GhostTies, FeelNoLinearMotionOfASideHoweverTheOtherMoves) {
-  const Body body = near_a_row(1e-3);
+  const TiedBody body = near_a_row(1e-3);
   Mat2 A;
   A << 0.1, 2.0, -0.7, 0.4;
   const VecX u = body.displacement([&](const Vec2& X, geometry::MaybeSide side) -> Vec2 {
@@ -86,7 +86,7 @@ TEST(GhostTies, FeelNoLinearMotionOfASideHoweverTheOtherMoves) {
 // uppermost nodes of those triangles have small supports above.
 TEST(GhostTies, DoNotJoinTheSidesWhereTheCrackRunsThroughANode) {
   for (const double slope : {0.01, -0.01, 0.03, -0.03}) {
-    const Body body({{0.0, 2.0 - 2.0 * slope}, {4.0, 2.0 + 2.0 * slope}});
+    const TiedBody body({{0.0, 2.0 - 2.0 * slope}, {4.0, 2.0 + 2.0 * slope}});
     const VecX u = body.displacement([&](const Vec2& X, geometry::MaybeSide side) -> Vec2 {
       const bool above = side ? *side == geometry::Side::Left : X.y() > 2.0;
       return above ? Vec2(1.0, 0.0) : Vec2(-1.0, 0.5);
@@ -97,7 +97,7 @@ TEST(GhostTies, DoNotJoinTheSidesWhereTheCrackRunsThroughANode) {
 }
 
 TEST(GhostTies, JumpIsThatOfTheNormalDerivative) {
-  const Body body = near_a_row(1e-3);
+  const TiedBody body = near_a_row(1e-3);
   // linear in each triangle, with a kink along the row at y = 2: the derivative across it jumps by 5
   const VecX u = body.displacement([](const Vec2& X, geometry::MaybeSide) -> Vec2 {
     return {0.0, 5.0 * std::fmax(0.0, X.y() - 2.0)};

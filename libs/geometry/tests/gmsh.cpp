@@ -49,7 +49,7 @@ double area(const Mesh& mesh, const std::string& region) {
   return sum;
 }
 
-double length(const Mesh& mesh, const std::string& boundary) {
+double boundary_length(const Mesh& mesh, const std::string& boundary) {
   double sum = 0.0;
   for (const auto& [a, b] : mesh.boundaries.at(boundary)) sum += (mesh.nodes[b] - mesh.nodes[a]).norm();
   return sum;
@@ -64,10 +64,10 @@ TEST_P(Form, HoldsRegionsAndBoundaries) {
   EXPECT_NEAR(area(mesh, "soft"), 1.0, 1e-12);
   EXPECT_NEAR(area(mesh, "hard rock"), 1.0, 1e-12);
   EXPECT_EQ(mesh.boundaries.size(), 4U) << "the line between the regions bounds nothing";
-  EXPECT_NEAR(length(mesh, "bottom"), 2.0, 1e-12);
-  EXPECT_NEAR(length(mesh, "top"), 2.0, 1e-12);
-  EXPECT_NEAR(length(mesh, "left"), 1.0, 1e-12);
-  EXPECT_NEAR(length(mesh, "line17"), 1.0, 1e-12);  // has no name
+  EXPECT_NEAR(boundary_length(mesh, "bottom"), 2.0, 1e-12);
+  EXPECT_NEAR(boundary_length(mesh, "top"), 2.0, 1e-12);
+  EXPECT_NEAR(boundary_length(mesh, "left"), 1.0, 1e-12);
+  EXPECT_NEAR(boundary_length(mesh, "line17"), 1.0, 1e-12);  // has no name
   for (const auto& [name, along] :
        std::map<std::string, Vec2>{{"bottom", {1, 0}}, {"top", {-1, 0}}, {"left", {0, -1}}, {"line17", {0, 1}}})
     for (const auto& [a, b] : mesh.boundaries.at(name))
@@ -239,6 +239,22 @@ TEST(Gmsh, AForeignByteOrderIsRefused) {
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_NE(error.problem().find("another byte order"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Gmsh, FilesOfOtherKindsAreRefusedAtTheirFirstLine) {
+  for (const std::string& other :
+       {std::string("solid cube\nfacet normal 0 0 1\n"), std::string("<?xml version=\"1.0\"?>\n<VTKFile/>\n"),
+        std::string("# vtk DataFile Version 3.0\n"), std::string("*NODE\n1, 0.0, 0.0\n"), std::string("OFF\n3 1 0\n"),
+        std::string("\x89PNG\r\n\x1a\n"), std::string("PK\x03\x04"), std::string("v 0 0 0\nf 1 2 3\n"),
+        std::string("[mesh]\nkind = \"structured\"\n")}) {
+    try {
+      read(other);
+      ADD_FAILURE() << "accepted: " << other;
+    } catch (const InputError& error) {
+      EXPECT_NE(error.problem().find("is in no section; allowed: a Gmsh .msh file"), std::string::npos) << error.what();
+      EXPECT_EQ(error.location().line, 1) << error.what();
+    }
   }
 }
 

@@ -17,10 +17,6 @@ Kept kept_of(const geometry::Crack& before, const geometry::Crack& after) {
   return kept;
 }
 
-double at(const enrichment::Face& face, double place) { return face.s_start + place * (face.s_end - face.s_start); }
-
-double place_on(const enrichment::Face& face, double s) { return (s - face.s_start) / (face.s_end - face.s_start); }
-
 // The face of a crack and side that holds an arc length, or kNone.
 Index face_at(const Model& m, Index crack, geometry::Side side, double s) {
   const auto& cut = m.cut.cracks[crack];

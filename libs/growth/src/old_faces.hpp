@@ -15,6 +15,14 @@ struct Kept {
   bool holds(double s) const { return first <= s && s <= last; }
 };
 
+/// Arc length at a place of a face, 0 to 1, and the place at an arc length.
+inline double at(const enrichment::Face& face, double place) {
+  return face.s_start + place * (face.s_end - face.s_start);
+}
+inline double place_on(const enrichment::Face& face, double s) {
+  return (s - face.s_start) / (face.s_end - face.s_start);
+}
+
 /// Per crack.
 std::vector<Kept> kept_parts(const assembly::Model& from, const assembly::Model& to);
 

@@ -13,10 +13,6 @@ using contact::Trail;
 
 constexpr double kCrumb = 1e-12;  // of a face
 
-double at(const enrichment::Face& face, double place) { return face.s_start + place * (face.s_end - face.s_start); }
-
-double place_on(const enrichment::Face& face, double s) { return (s - face.s_start) / (face.s_end - face.s_start); }
-
 bool same_side(const enrichment::Face& a, const enrichment::Face& b) { return a.crack == b.crack && a.side == b.side; }
 
 // The interval of a crack and side that holds an arc length, or kNone.

@@ -9,13 +9,13 @@ namespace cleft::growth {
 namespace {
 
 // A crack through the middle that has slid under pressure, and what it becomes with a kink at either end.
-struct Slid {
+struct SlidAndGrown {
   bodies::Square square;
   assembly::Model before, after;
   assembly::State state, handed_on;
 
-  explicit Slid(assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)}, double ball = 0.0,
-                std::array<bool, 2> grown = {true, true}) {
+  explicit SlidAndGrown(assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)},
+                        double ball = 0.0, std::array<bool, 2> grown = {true, true}) {
     square.material = std::move(material);
     square.top = {-0.004, -0.01};
     square.cracks = {{"main", {{0.31, 0.42}, {0.68, 0.61}}, ball}};
@@ -33,7 +33,7 @@ struct Slid {
 };
 
 TEST(Transfer, KeepsTheDisplacementOfEveryOldSide) {
-  const Slid s;
+  const SlidAndGrown s;
   for (const auto& cell : s.before.cells) {
     if (s.after.cut.cut_of_element[cell.element] != kNone && cell.cut == kNone) continue;
     for (const auto& now : s.after.cells) {
@@ -44,7 +44,7 @@ TEST(Transfer, KeepsTheDisplacementOfEveryOldSide) {
 }
 
 TEST(Transfer, ClosesNewFaces) {
-  const Slid s;
+  const SlidAndGrown s;
   const auto& faces = s.after.surfaces.faces;
   int fresh = 0;
   for (std::size_t k = 0; k < s.after.cut.segments.size(); ++k) {
@@ -63,7 +63,7 @@ TEST(Transfer, ClosesNewFaces) {
 }
 
 TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
-  const Slid s;
+  const SlidAndGrown s;
   ASSERT_EQ(s.handed_on.history.contact.size(), s.after.surfaces.points.size());
   const auto s_of = [](const assembly::Model& m, Index face, double place) {
     const auto& f = m.surfaces.faces[face];
@@ -101,7 +101,7 @@ TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
 // The end that stays may be cut beyond its point, up to the next edge: those faces stay, too.
 TEST(Transfer, LeavesTheContactOfAnEndThatStaysAlone) {
   for (const auto& grown : {std::array{true, false}, std::array{false, true}, std::array{false, false}}) {
-    const Slid s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.0, grown);
+    const SlidAndGrown s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.0, grown);
     int same = 0;
     for (std::size_t p = 0; p < s.after.surfaces.points.size(); ++p)
       for (std::size_t q = 0; q < s.before.surfaces.points.size(); ++q) {
@@ -120,7 +120,7 @@ TEST(Transfer, LeavesTheContactOfAnEndThatStaysAlone) {
 }
 
 TEST(Transfer, KeepsTheReactionsOfWhatIsPrescribed) {
-  const Slid s;
+  const SlidAndGrown s;
   const auto sum = [](const VecX& f) { return f.cwiseAbs().sum(); };
   EXPECT_EQ(sum(s.handed_on.prescribed_force), sum(s.state.prescribed_force));
   EXPECT_EQ(s.handed_on.previous_load, s.handed_on.load);
@@ -128,7 +128,7 @@ TEST(Transfer, KeepsTheReactionsOfWhatIsPrescribed) {
 }
 
 TEST(Transfer, BothSidesOfANewCutHaveThePlasticPastOfTheTriangle) {
-  const Slid s(constitutive::FinitePlastic{{constitutive::lame(1e10, 0.25), 5e7, 0.0, 0.0, 1e9}});
+  const SlidAndGrown s(constitutive::FinitePlastic{{constitutive::lame(1e10, 0.25), 5e7, 0.0, 0.0, 1e9}});
   ASSERT_EQ(s.handed_on.history.plastic.size(), s.after.material_points());
   int flown = 0;
   for (Index p = 0; p < static_cast<Index>(s.after.cells.size()); ++p)
@@ -143,7 +143,7 @@ TEST(Transfer, BothSidesOfANewCutHaveThePlasticPastOfTheTriangle) {
 }
 
 TEST(Transfer, KeepsTheBranchFunctionsOfATipThatStays) {
-  const Slid s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.13, {true, false});
+  const SlidAndGrown s(constitutive::Hencky{constitutive::lame(1e10, 0.25)}, 0.13, {true, false});
   ASSERT_EQ(s.before.cut.tips.size(), 2u);
   ASSERT_EQ(s.after.cut.tips.size(), 2u);
   for (int a = 0; a < enrichment::kBranches; ++a) {
@@ -157,7 +157,7 @@ TEST(Transfer, KeepsTheBranchFunctionsOfATipThatStays) {
 
 // There an anchor is a distance along the face from the point that it holds, however long the segments are.
 TEST(Transfer, InTheUndeformedConfigurationAnchorsKeepTheirDistance) {
-  const Slid s(constitutive::LinearElastic{constitutive::lame(1e10, 0.25)});
+  const SlidAndGrown s(constitutive::LinearElastic{constitutive::lame(1e10, 0.25)});
   ASSERT_TRUE(s.before.surfaces.undeformed);
   const auto length = [](const assembly::Model& m, Index face) {
     return m.surfaces.faces[face].s_end - m.surfaces.faces[face].s_start;

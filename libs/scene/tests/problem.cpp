@@ -16,7 +16,7 @@ TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
   EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }
 
-struct Fault {
+struct MeshFault {
   const char* from;
   const char* to;
   const char* key;
@@ -27,7 +27,7 @@ struct Fault {
 TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
   const char *const points = "points = [[0.0, 0.01833], [0.0349, 0.05323]]",
                     *const contact = "contact = { normal_penalty = 2.0e12 }";
-  const Fault faults[] = {
+  const MeshFault faults[] = {
       {"on = \"top\"", "box = [1.0, 1.0, 2.0, 2.0]", "boundary[1].box", "no node lies in the box", "box = [1.0"},
       {points, "points = [[1.0, 1.0], [2.0, 2.0]]", "crack[0] 'main'", "lies outside of the body", "[[crack]]"},
       {points, "points = [[0.011, 0.011], [0.012, 0.012]]", "crack[0] 'main'", "too short", "[[crack]]"},

@@ -226,5 +226,31 @@ TEST(SceneReader, ReportsFaultsOfLoadsStepsAndSolver) {
   });
 }
 
+// Every number of a scene, as no number.
+TEST(SceneReader, ReportsNumbersThatAreNotFinite) {
+  const char* const none = "not a finite number";
+  expect_all_reported({
+      {"[0.0, 0.01833], [0.0349", "[@nan, 0.01833], [0.0349", "crack[0].points[0]", none},
+      {"0.05323]]", "0.05323], [@inf, 0.06]]", "crack[0].points[2]", none},
+      {"friction = 0.3", "friction = @nan", "crack[0].friction", none},
+      {"friction = 0.3", "friction = @+inf", "crack[0].friction", none},
+      {"normal_penalty = 2.0e12", "normal_penalty = @inf", "crack[0].contact.normal_penalty", none},
+      {"normal_penalty = 2.0e12", "normal_penalty = 1e999@", "", "not valid TOML"},
+      {"poisson = 0.25", "poisson = @-nan", "material.poisson", none},
+      {"tip_enrichment = 0.0", "tip_enrichment = @nan", "formulation.tip_enrichment", none},
+      {"ux = -0.004", "ux = @nan", "boundary[1].ux", none},
+      {"uy = -0.005", "uy = @-inf", "boundary[1].uy", none},
+      {"uy = -0.005", "amplitude = [[0.0, 0.0], [1.0, @nan]]", "boundary[1].amplitude[1]", none},
+      {"ux = -0.004\nuy = -0.005", "affine = [[1, 0], [@inf, 1]]", "boundary[1].affine[1]", none},
+      {"uy = -0.005", "rotation = { center = [0, 0], degrees = @inf }", "boundary[1].rotation.degrees", none},
+      {"value = [2.0, 3.0]", "value = [2.0, @nan]", "traction[0].value", none},
+      {"value = [0.0, -9.81]", "value = [@-inf, 0]", "gravity.value", none},
+      {"density = 2700.0", "density = @nan", "gravity.density", none},
+      {"max_iterations = 20", "residual_tolerance = @nan", "solver.residual_tolerance", none},
+      {"max_iterations = 20", "min_step = @inf", "solver.min_step", none},
+      {"max_iterations = 20", "search_radius = @inf", "solver.search_radius", none},
+  });
+}
+
 }  // namespace
 }  // namespace cleft::scene

@@ -67,6 +67,39 @@ TEST(SceneFile, TextThatIsNotTomlIsLocated) {
   EXPECT_NE(error.problem().find("not valid TOML"), std::string::npos);
 }
 
+TEST(SceneFile, FilesOfOtherKindsAreRefused) {
+  const Folder folder;
+  struct Other {
+    std::string bytes;
+    int line;
+    const char* problem;
+  };
+  const std::vector<Other> all{
+      {std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), 1, "not valid TOML"},
+      {"PK\x03\x04\x14", 1, "not valid TOML"},
+      {std::string("\x7f"
+                   "ELF\x02\x01\x01\0",
+                   8),
+       1, "not valid TOML"},
+      {"\x1f\x8b\x08", 1, "not valid TOML"},
+      {std::string("\xff\xfem\0e\0s\0h\0", 10), 1, "not valid TOML"},
+      {"<?xml version=\"1.0\"?>\n<VTKFile/>\n", 1, "not valid TOML"},
+      {"{\"mesh\": {\"box\": [0, 0, 1, 1]}}\n", 1, "not valid TOML"},
+      {"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", 1, "not valid TOML"},
+      {"step,load\n1,0.1\n", 1, "not valid TOML"},
+      {"mesh:\n  cells: [4, 8]\n", 1, "not valid TOML"},
+      {"# a comment\n*NODE\n1, 0.0, 0.0\n", 2, "not valid TOML"},
+      {"title = \"\xc3\x28\"\n", 1, "not valid TOML"},
+      {"[experiment]\nname = \"another program's\"\n", 1, "unknown key"},
+  };
+  for (const auto& [bytes, line, problem] : all) {
+    SCOPED_TRACE(bytes);
+    const auto error = error_of(folder.write("scene.toml", bytes));
+    EXPECT_NE(error.problem().find(problem), std::string::npos) << error.what();
+    EXPECT_EQ(error.location().line, line) << error.what();
+  }
+}
+
 struct WrongOverride {
   const char* text;
   const char* key;
