@@ -74,12 +74,7 @@ std::vector<Row> Solved::profile(const std::string& crack, double load) const {
 }
 
 scene::CsvTable reference(const std::string& file) {
-  scene::CsvTable table = scene::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
-  while (!table.header.empty() && table.header[0].starts_with("#")) {
-    table.header = table.rows.front();
-    table.rows.erase(table.rows.begin());
-  }
-  return table;
+  return scene::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
 }
 
 double farthest(const std::vector<double>& values, double from) {

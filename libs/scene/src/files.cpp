@@ -129,7 +129,8 @@ CsvTable read_csv(const std::string& path) {
   std::istringstream in(read_bytes(path));
   CsvTable table;
   std::string line;
-  if (std::getline(in, line)) table.header = split_row(line);
+  while (table.header.empty() && std::getline(in, line))
+    if (!line.starts_with('#')) table.header = split_row(line);
   while (std::getline(in, line)) table.rows.push_back(split_row(line));
   return table;
 }

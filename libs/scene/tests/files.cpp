@@ -164,6 +164,13 @@ TEST(Csv, CellsMayBeEmptyQuotedOrEndedByCarriageReturns) {
   EXPECT_EQ(table.rows[1], (std::vector<std::string>{"", "2", "3"}));
 }
 
+TEST(Csv, LinesThatTellTheProvenanceArePassedOver) {
+  const Folder folder;
+  const auto table = read_csv(folder.write("a.csv", "# by hand, at noon\n# again\nx,y\n1,2\n"));
+  EXPECT_EQ(table.column("y"), std::vector<double>{2.0});
+  EXPECT_TRUE(read_csv(folder.write("b.csv", "# alone\n")).header.empty());
+}
+
 TEST(Csv, FaultsOfAColumnAreTold) {
   const Folder folder;
   const auto table = read_csv(folder.write("a.csv", "x,status,z\n1,slip,3\n2,open\n"));
