@@ -15,6 +15,8 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", CLEFT_VERSION);
   app.require_subcommand(1);
   int result = kDone;
+  add_init(app, result);
+  add_scene(app, result);
   add_run(app, result);
   add_check(app, result);
   add_converge(app, result);

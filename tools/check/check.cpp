@@ -41,7 +41,8 @@ std::string describe(const growth::Law& law) {
           ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<growth::Rankine>(law.criterion).strength,
                         std::get<growth::Rankine>(law.criterion).radius)
           : fmt::format("at {:.4g} Pa m^0.5", std::get<growth::HoopStress>(law.criterion).toughness);
-  return fmt::format("growth: {} by {:.4g} m {}, {} times at most", tips, law.advance, when, law.most);
+  return fmt::format("growth: {} by {:.4g} m {}, {} times at most{}", tips, law.advance, when, law.most,
+                     law.corrections == 0 ? "" : fmt::format(", directions corrected {} times", law.corrections));
 }
 
 std::string name_of(const scene::MaterialSpec::Region& region) {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "keys.hpp"
+#include "cleft/scene/keys.hpp"
 
 namespace cleft::scene {
 namespace {

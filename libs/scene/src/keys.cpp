@@ -1,4 +1,4 @@
-#include "keys.hpp"
+#include "cleft/scene/keys.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,5 @@
-// Every key that a scene may have.
+/// \file
+/// Every key that a scene or study may have: what readers check names against and documentation is printed from.
 #pragma once
 
 #include <span>
