@@ -42,7 +42,7 @@ std::string describe(const growth::Law& law) {
                         std::get<growth::Rankine>(law.criterion).radius)
           : fmt::format("at {:.4g} Pa m^0.5", std::get<growth::HoopStress>(law.criterion).toughness);
   return fmt::format("growth: {} by {:.4g} m {}, {} times at most{}", tips, law.advance, when, law.most,
-                     law.corrections == 0 ? "" : fmt::format(", directions corrected {} times", law.corrections));
+                     law.correct_direction ? ", directions corrected" : "");
 }
 
 std::string name_of(const scene::MaterialSpec::Region& region) {

@@ -123,13 +123,14 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
 
 Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
+  constexpr double kBlunt = 2.0;     // blunt functions: nearer the jump is not that of the singular field
   const auto& m = body.model;
   const auto& ball = m.cut.tips[tip];
   const auto solid = body_of(m, tip);
   const Vec2 ahead = ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = body.displacement;
-  const double blunting = enrichment::blunting_at(m.mesh, m.unknowns, ball);
+  const double nearest = std::max(kNearest * ball.radius, kBlunt * enrichment::blunting_at(m.mesh, m.unknowns, ball));
   Line opening, sliding;
   for (std::size_t s = 0; s < m.cut.segments.size(); ++s) {
     if (m.cut.segments[s].tip != tip) continue;
@@ -137,9 +138,8 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
     const auto& below = m.surfaces.faces[enrichment::face_of(static_cast<Index>(s), geometry::other(upper))];
     const Vec2 jump = above.start.displacement(u) - below.start.displacement(u);
     const double r = (above.reference_start - ball.frame.tip()).norm();
-    if (r < kNearest * ball.radius || r > m.unknowns.plateau * ball.radius) continue;
-    const double factor =
-        solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi * (r + blunting)) / r;
+    if (r < nearest || r > m.unknowns.plateau * ball.radius) continue;
+    const double factor = solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));
   }

@@ -24,6 +24,13 @@ std::string name_of(const std::vector<geometry::Crack>& cracks, const TipName& t
   return fmt::format("crack '{}', {}", cracks[tip.crack].name, tip.end == 0 ? "start" : "end");
 }
 
+// Whether no tip is hindered that was not before.
+bool goes_as_far(const std::vector<Advance>& now, const std::vector<Advance>& before) {
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k].stop == Stop::Hindered && before[k].stop != Stop::Hindered) return false;
+  return true;
+}
+
 double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 }  // namespace
@@ -171,9 +178,9 @@ void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::uniqu
   model_ = std::move(model);
 }
 
-std::variant<Evolution::Grown, Failure> Evolution::grown(const std::vector<Due>& due,
-                                                         const assembly::IterationObserver& observer) const {
-  Grown out;
+std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<Due>& due,
+                                                             const assembly::IterationObserver& observer) const {
+  Attempt out;
   out.cracks = model_->cracks;
   for (const Due& one : due) out.advances.push_back(lengthen(one, out.cracks));
   const auto failed = [&](Failure failure) {
@@ -201,36 +208,38 @@ std::variant<Evolution::Grown, Failure> Evolution::grown(const std::vector<Due>&
   return out;
 }
 
-// The directions to try next: each the mean of what the criterion asked for before the advance and at its end.
-bool Evolution::correct(int corrections, const Grown& tried, std::vector<Due>& due) const {
+// The same advances in the mean of the directions that the criterion asked for before them and asks for at their ends.
+// None where no law wants that.
+std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const {
+  auto due = record_.due;
   bool any = false;
   for (std::size_t k = 0; k < due.size(); ++k) {
     const Advance& advance = tried.advances[k];
     const Law& law = *laws_[advance.tip.crack];
-    if (corrections >= law.corrections || advance.length == 0.0 || advance.stop == Stop::Boundary) continue;
+    if (!law.correct_direction || advance.length == 0.0 || advance.stop == Stop::Boundary) continue;
     const Demand after =
         std::visit([&](const auto& criterion) { return criterion.judge(tried.stepper->equilibrium(), advance.tip); },
                    law.criterion);
     if (std::isnan(after.measure)) continue;
-    due[k].demand.ahead = (record_.due[k].demand.ahead + after.ahead).normalized();
+    due[k].demand.ahead = (due[k].demand.ahead + after.ahead).normalized();
     any = true;
   }
-  return any;
+  return any ? std::optional(due) : std::nullopt;
 }
 
 std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& observer) {
-  auto due = record_.due;
-  auto outcome = grown(due, observer);
-  int iterations_before = 0;
-  for (int corrections = 0;; ++corrections) {
-    if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
-    auto& tried = std::get<Grown>(outcome);
-    if (!correct(corrections, tried, due)) break;
-    iterations_before += tried.step.iterations_before + static_cast<int>(tried.step.iterations.size());
-    count(*tried.stepper);
-    outcome = grown(due, observer);
+  auto first = attempt(record_.due, observer);
+  if (auto* failure = std::get_if<Failure>(&first)) return std::move(*failure);
+  auto& made = std::get<Attempt>(first);
+  if (const auto due = corrected(made)) {
+    auto second = attempt(*due, observer);
+    if (auto* other = std::get_if<Attempt>(&second)) {  // if it fails, the first one stands
+      if (goes_as_far(other->advances, made.advances)) std::swap(made, *other);
+      made.step.iterations_before += other->step.iterations_before + static_cast<int>(other->step.iterations.size());
+      made.step.cuts += other->step.cuts;
+      count(*other->stepper);
+    }
   }
-  auto& made = std::get<Grown>(outcome);
   replace(std::move(made.model), std::move(made.stepper));
   origin_ = std::move(made.origin);
   for (std::size_t c = 0; c < made.cracks.size(); ++c) {
@@ -245,7 +254,6 @@ std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& o
   record_.due = judged.tips;
   Step out{std::move(made.step), std::move(made.advances),
            stepper_->state().energies.released - origin_.energies.released};
-  out.iterations_before += iterations_before;
   out.is_output = true;
   return out;
 }

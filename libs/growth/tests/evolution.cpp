@@ -121,7 +121,7 @@ TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
   const Vec2 after = std::get<Rankine>(law.criterion).judge(tried.stepper().equilibrium(), {0, 1}).ahead;
   ASSERT_GT((after - before).norm(), 0.01);
 
-  law.corrections = 1;
+  law.correct_direction = true;
   Evolution corrected = square.evolution(law, 4);
   const Step twice = grown(corrected);
   EXPECT_EQ(twice.load, once.load);

@@ -29,7 +29,7 @@ Json growth_of(const growth::Law& law) {
             {"tips", law.tips[0] && law.tips[1] ? "both"
                      : law.tips[0]              ? "start"
                                                 : "end"},
-            {"corrections", law.corrections},
+            {"correct_direction", law.correct_direction},
             {"load_tolerance", law.load_tolerance}});
   return j;
 }

@@ -10,7 +10,7 @@ growth::Law read_growth(const Section& s) {
   for (const auto& [key, belongs] : {std::pair{"strength", rankine}, {"radius", rankine}, {"toughness", !rankine}})
     if (s.has(key) && !belongs)
       s.fail(key, fmt::format("belongs to the other criterion; allowed with \"{}\": {}, advance, most, tips, "
-                              "corrections, load_tolerance",
+                              "correct_direction, load_tolerance",
                               s.text("criterion"), rankine ? "strength, radius" : "toughness"));
   if (rankine)
     out.criterion = growth::Rankine{s.number("strength", kPositive, "a positive number, Pa"),
@@ -23,7 +23,7 @@ growth::Law read_growth(const Section& s) {
     const auto tips = s.choice("tips", {"both", "start", "end"});
     out.tips = {tips != "end", tips != "start"};
   }
-  out.corrections = s.integer_or("corrections", out.corrections, 0, 10);
+  out.correct_direction = s.flag_or("correct_direction", out.correct_direction);
   out.load_tolerance = s.number_or(
       "load_tolerance", out.load_tolerance, [](double x) { return x >= 1e-10 && x <= 1.0; }, "1e-10 to 1");
   return out;

@@ -135,7 +135,7 @@ TEST(SceneReader, ReportsFaultsOfGrowth) {
        "allowed with \"rankine\": strength, radius, advance"},
       {contact, GROWTH "advance = 0.01, most = @0 }", "crack[0].growth.most", "allowed: 1 to"},
       {contact, GROWTH "advance = 0.01, tips = @\"first\" }", "crack[0].growth.tips", "allowed: both, start, end"},
-      {contact, GROWTH "advance = 0.01, corrections = @11 }", "crack[0].growth.corrections", "0 to 10"},
+      {contact, GROWTH "advance = 0.01, correct_direction = @1 }", "crack[0].growth.correct_direction", "true or false"},
       {contact, GROWTH "advance = 0.01, load_tolerance = @0 }", "crack[0].growth.load_tolerance", "1e-10 to 1"},
       {contact, "growth = @{ criterion = \"hoop-stress\", toughness = 1e6, advance = 0.01 }", "crack[0].growth",
        "the ball of a tip"},

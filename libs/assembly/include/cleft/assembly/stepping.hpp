@@ -26,7 +26,7 @@ struct Step {
   double load = 0.0;
   bool is_output = false;     ///< at one of the outputs, for the first time
   int cuts = 0;               ///< attempts that failed before it converged
-  int iterations_before = 0;  ///< of the parts by which a body was brought into balance (LoadStepper::settle)
+  int iterations_before = 0;  ///< of the parts by which a body was brought into balance, and of attempts given up
   std::vector<Iteration> iterations;
   Iteration left;  ///< residual after the last correction, with no correction of its own
 };

@@ -14,8 +14,9 @@ inline constexpr int kBranches = 4;
 inline constexpr double kPlateau = 0.65;
 
 /// Where strains are finite, the length over which the functions are blunt, as a part of the size of the tip's element.
-/// Enough for compression by an eighth across a crack; intensities by integral move by half a per cent.
-inline constexpr double kBlunting = 0.2;
+/// Enough for the sliding block of Liu and Borja to reach its full load (a tenth of it fails with sharp functions)
+/// without one increment cut.
+inline constexpr double kBlunting = 0.5;
 
 /// The four functions at one point. Only the second jumps over the crack, by twice its radial part.
 struct Branches {
@@ -28,7 +29,8 @@ struct Branches {
 ///
 /// With a `blunting` b (metres) the radial part is r / sqrt(r + b), whose slope is at most b^(-1/2). Strains that grow
 /// without bound are a solution at small strain only: at finite strain they turn the points next to a tip in mode II
-/// inside out, whatever the amplitudes, within a distance that does not shrink with the elements.
+/// inside out, whatever the amplitudes, within a distance that does not shrink with the elements. Where b is a part of
+/// the element's size slopes still grow as h^(-1/2), and the order of convergence that sharp functions restore is lost.
 Branches branches(const geometry::TipPolar& at, double blunting = 0.0);
 
 /// chi(r): 1 up to `plateau`, 0 from `radius` on (metres), between them a polynomial of degree 5 with two continuous

@@ -70,7 +70,7 @@ struct Law {
   double advance = 0.0;                  ///< length of one advance, metres, in the reference configuration
   int most = 1000;                       ///< advances of each tip
   std::array<bool, 2> tips{true, true};  ///< which ends may grow: the first, the last
-  int corrections = 0;                   ///< of the direction of each advance
+  bool correct_direction = false;        ///< of each advance, by what is asked for at its end
   double load_tolerance = 1e-4;          ///< of the load at which a tip begins to advance
 };
 

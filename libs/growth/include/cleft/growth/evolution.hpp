@@ -59,10 +59,10 @@ struct Step : assembly::Step {
 /// Takes a body from load 0 to 1. A tip advances when its demand reaches 1: the load of that moment is found within the
 /// tolerance of the laws, by shorter and shorter increments around it, so that it hardly depends on the increments.
 /// Then all tips that are due advance, the body is cut anew, finds its equilibrium at the same load, and is judged
-/// again. Where the law asks for corrections, what has grown is taken back and grows anew in the mean of the direction
-/// it took and that which the criterion asks for at its end: a curved path is then followed to second order in the
-/// length of an advance, and does not zigzag about the way it should go. Without a law this is a LoadStepper and no
-/// more.
+/// again. Where the law corrects directions, what has grown is taken back and grows anew in the mean of the direction
+/// that the criterion asked for before and the one it asks for at the end, unless a tip gets less far or no equilibrium
+/// is found that way: a path that bends is followed without zigzag, for one equilibrium more an advance. Without a law
+/// this is a LoadStepper and no more.
 ///
 /// An advance ends at the boundary of the body, which is then cut through. One that would meet a crack, or cut elements
 /// that another crack cuts, or wind too tightly for the mesh, is tried at half and a quarter of its length and is the
@@ -101,7 +101,7 @@ class Evolution {
     double largest = 0.0;
   };
   /// What the body is like once tips have advanced, in balance.
-  struct Grown {
+  struct Attempt {
     std::vector<geometry::Crack> cracks;
     std::vector<Advance> advances;
     std::unique_ptr<const assembly::Model> model;
@@ -115,9 +115,9 @@ class Evolution {
   double tolerance() const;
   std::variant<Step, assembly::Failure> increase(const assembly::IterationObserver& observer);
   std::variant<Step, assembly::Failure> grow(const assembly::IterationObserver& observer);
-  std::variant<Grown, assembly::Failure> grown(const std::vector<Due>& due,
-                                               const assembly::IterationObserver& observer) const;
-  bool correct(int corrections, const Grown& tried, std::vector<Due>& due) const;
+  std::variant<Attempt, assembly::Failure> attempt(const std::vector<Due>& due,
+                                                   const assembly::IterationObserver& observer) const;
+  std::optional<std::vector<Due>> corrected(const Attempt& tried) const;
   Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
   void count(const assembly::LoadStepper& done_with);
   void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper);
