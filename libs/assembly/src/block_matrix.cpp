@@ -37,10 +37,16 @@ BlockMatrix::BlockMatrix(Index size, const std::vector<std::array<Index, 2>>& bl
 }
 
 BlockMatrix::Place BlockMatrix::find(Index row, Index column) const {
-  const auto begin = rows_.begin() + starts_[column], end = rows_.begin() + starts_[column + 1];
-  const auto at = std::lower_bound(begin, end, row);
-  if (at == end || *at != row) return {};
-  const auto blocks = static_cast<Index>(end - begin);
+  const Index blocks = starts_[column + 1] - starts_[column];
+  const Index* const begin = rows_.data() + starts_[column];
+  const Index* at = begin;
+  // a search without branches that nobody could predict
+  for (Index left = blocks; left > 1;) {
+    const Index half = left / 2;
+    at += at[half - 1] < row ? half : 0;
+    left -= half;
+  }
+  if (blocks == 0 || *at != row) return {};
   return {4 * starts_[column] + 2 * static_cast<Index>(at - begin), 2 * blocks};
 }
 
