@@ -135,6 +135,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
       const Index node = k == 0 ? interval.first : interval.second;
       const auto& condition = conditions[node];
       const Vec2& by_cover = condition.by_cover[strip.interval == hats.nodes[node].before ? 0 : 1];
+      if (condition.by_integral.isZero(0.0) && condition.by_beyond.isZero(0.0) && by_cover.isZero(0.0)) continue;
       const auto by = [&](int output) { return integrals.node_by.middleRows<2>(output - contact::kGapOutput); };
       Eigen::Matrix<double, 2, contact::kPieceInputs> t =
           condition.by_integral.asDiagonal() * by(contact::kGapOutput + 2 * k);

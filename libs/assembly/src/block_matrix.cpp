@@ -36,20 +36,6 @@ BlockMatrix::BlockMatrix(Index size, const std::vector<std::array<Index, 2>>& bl
   values_.assign(scalar_rows_.size(), 0.0);
 }
 
-BlockMatrix::Place BlockMatrix::find(Index row, Index column) const {
-  const Index blocks = starts_[column + 1] - starts_[column];
-  const Index* const begin = rows_.data() + starts_[column];
-  const Index* at = begin;
-  // a search without branches that nobody could predict
-  for (Index left = blocks; left > 1;) {
-    const Index half = left / 2;
-    at += at[half - 1] < row ? half : 0;
-    left -= half;
-  }
-  if (blocks == 0 || *at != row) return {};
-  return {4 * starts_[column] + 2 * static_cast<Index>(at - begin), 2 * blocks};
-}
-
 void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
 std::span<const Index> BlockMatrix::block_rows(Index column) const {
