@@ -48,8 +48,12 @@ void piece(benchmark::State& state, contact::NegativeSide side) {
   const auto trails = contact::trails_at_rest(slider.surfaces);
   const auto pieces = contact::find_pieces(slider.surfaces, at, slider.pairs, trails);
   const std::array<Vec2, 4> tractions{Vec2(-1, 0.3), Vec2(-2, 0.5), Vec2(-1, -0.3), Vec2(-2, -0.5)};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(contact::integrate(slider.surfaces, at, trails, pieces[pieces.size() / 3], tractions));
+  contact::PieceIntegrals out;
+  for (auto _ : state) {
+    contact::integrate(slider.surfaces, at, trails, pieces[pieces.size() / 3], tractions, out);
+    benchmark::DoNotOptimize(&out);
+    benchmark::ClobberMemory();
+  }
 }
 BENCHMARK_CAPTURE(piece, one_side, contact::NegativeSide::Right);
 BENCHMARK_CAPTURE(piece, both_sides, contact::NegativeSide::Both);

@@ -86,7 +86,7 @@ struct Opposite {
 class Integral {
  public:
   Integral(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
-           const std::array<Vec2, 4>& multipliers)
+           const std::array<Vec2, 4>& multipliers, PieceIntegrals& out)
       : surfaces_(surfaces),
         at_(at),
         piece_(piece),
@@ -95,13 +95,14 @@ class Integral {
         trail_(piece.trail == kNone ? nullptr : &trails[piece.trail]),
         multipliers_(multipliers),
         hat_(second_hat_of(surfaces, strip_)),
-        slope_(hat_.slope * (multipliers[1] - multipliers[0])) {
+        slope_(hat_.slope * (multipliers[1] - multipliers[0])),
+        out_(out) {
     out_.value.setZero();
     out_.force_by.setZero();
     out_.node_by.setZero();
   }
 
-  const PieceIntegrals& run() {
+  void run() {
     const auto& face = surfaces_.faces[strip_.face];
     const auto& hats = surfaces_.hats;
     const auto& interval = hats.intervals[strip_.interval];
@@ -117,7 +118,6 @@ class Integral {
       add_point({faces_, eta});
     }
     if (faces_.deformed) add_couple();
-    return out_;
   }
 
  private:
@@ -242,17 +242,17 @@ class Integral {
   const std::array<Vec2, 4>& multipliers_;
   const Linear hat_;
   const Vec2 slope_;  // of the tractions along the face
+  PieceIntegrals& out_;
   Linear other_hat_;
   Number ratio_, weight_, couple_;
   std::array<double, 2> couple_by_traction_{};
-  PieceIntegrals out_;
 };
 
 }  // namespace
 
-PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 4>& multipliers) {
-  return Integral(surfaces, at, trails, piece, multipliers).run();
+void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
+               const std::array<Vec2, 4>& multipliers, PieceIntegrals& out) {
+  Integral(surfaces, at, trails, piece, multipliers, out).run();
 }
 
 }  // namespace cleft::contact

@@ -69,9 +69,12 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
       put(kAnchorInput, trail[piece.trail].anchor_face);
     }
     const auto pair = [&](int k) -> Vec2 { return x.segment<2>(k); };
-    return integrate(
+    PieceIntegrals out;
+    integrate(
         slider.surfaces, moved, trail, piece,
-        {pair(kTractionInput), pair(kTractionInput + 2), pair(kOtherTractionInput), pair(kOtherTractionInput + 2)});
+        {pair(kTractionInput), pair(kTractionInput + 2), pair(kOtherTractionInput), pair(kOtherTractionInput + 2)},
+        out);
+    return out;
   }
 
   // By the definitions, at the middles of many parts.

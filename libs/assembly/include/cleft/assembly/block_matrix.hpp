@@ -38,7 +38,7 @@ class BlockMatrix {
     const Index* at = begin;
     for (Index left = blocks; left > 1;) {  // without branches, which nobody could predict
       const Index half = left / 2;
-      at += at[half - 1] < row ? half : 0;
+      at += half * static_cast<Index>(at[half - 1] < row);
       left -= half;
     }
     if (*at != row) return {};

@@ -71,7 +71,7 @@ struct PieceIntegrals {
 /// with the partner x_B where the point's normal line meets the other face, the anchor x_A where it did when the last
 /// increment had converged, and the couple of pair.hpp. Lengths are of the undeformed face; where there is no trail the
 /// slip is 0.
-PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 4>& multipliers);
+void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
+               const std::array<Vec2, 4>& multipliers, PieceIntegrals& out);
 
 }  // namespace cleft::contact
