@@ -73,6 +73,17 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
   }
 }
 
+const std::vector<BlockMatrix::Place>& Assembler::places_of(const contact::Piece& piece,
+                                                            std::span<const Index> unknowns) {
+  auto& met = opposite_[piece.strip];
+  for (const auto& [partner, places] : met)
+    if (partner == piece.partner) return places;
+  auto& places = met.emplace_back(Opposite{piece.partner, {}}).places;
+  for (const Index row : unknowns)
+    for (const Index column : unknowns) places.push_back(matrix_.find(row, column));
+  return places;
+}
+
 void Assembler::assemble_hats(const contact::HatMemory& memory) {
   const PhaseTimer timer(seconds_.contact);
   const auto& surfaces = model_.surfaces;
@@ -87,6 +98,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
     int input;
   };
   std::array<Column, 3 * enrichment::ShortList<Index>::kCapacity + 4> columns;
+  std::array<Index, 2 * enrichment::ShortList<Index>::kCapacity + 2> unknowns;
   for (std::size_t p = 0; p < multipliers_.pieces().size(); ++p) {
     const auto& piece = multipliers_.pieces()[p];
     const auto& integrals = multipliers_.integrals()[p];
@@ -109,17 +121,20 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
     const int rows = count;
     add_nodes(interval, strip.face, contact::kTractionInput);
     const int of_forces = count;
+    for (int c = 0; c < count; ++c) unknowns[c] = columns[c].unknown;
+    const auto& places = places_of(piece, std::span(unknowns).first(count));
     if (piece.trail != kNone && !surfaces.undeformed)
       add_face(memory.trails[piece.trail].anchor_face, contact::kAnchorInput);
     if (piece.partner_strip != kNone)
       add_nodes(hats.intervals[hats.strips[piece.partner_strip].interval], piece.partner, contact::kOtherTractionInput);
 
-    const auto scatter = [&](Index unknown, const auto& t, int columns_of_it) {
+    const auto scatter = [&](int row, const auto& t, int columns_of_it) {
       for (int c = 0; c < columns_of_it; ++c) {
         const auto& column = columns[c];
         Mat2 block = column.start * t.template middleCols<2>(column.input);
         if (column.end != 0.0) block += column.end * t.template middleCols<2>(column.input + 2);
-        matrix_.add(matrix_.find(unknown, column.unknown), block);
+        matrix_.add(c < of_forces ? places[row * of_forces + c] : matrix_.find(columns[row].unknown, column.unknown),
+                    block);
       }
     };
     for (int r = 0; r < rows; ++r) {
@@ -129,7 +144,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
       const Eigen::Matrix<double, 2, contact::kForceInputs> t =
           row.start * integrals.force_by.middleRows<2>(row.input) +
           row.end * integrals.force_by.middleRows<2>(row.input + 2);
-      scatter(row.unknown, t, of_forces);
+      scatter(r, t, of_forces);
     }
     for (int k = 0; k < 2; ++k) {
       const Index node = k == 0 ? interval.first : interval.second;
@@ -141,7 +156,7 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
           condition.by_integral.asDiagonal() * by(contact::kGapOutput + 2 * k);
       t += condition.by_beyond.asDiagonal() * by(contact::kDifferenceOutput + 2 * k);
       t += by_cover * by(contact::kSupportOutput).colwise().sum();
-      scatter(first + node, t, count);
+      scatter(rows + k, t, count);
     }
   }
   contact_force_ += hat_force_;
