@@ -6,16 +6,16 @@ namespace cleft::contact {
 namespace {
 
 // Derivatives with regard to the ends of the piece's own face and of the partner.
-using Row = Eigen::Matrix<double, 1, kTractionInput>;
+using PieceRow = Eigen::Matrix<double, 1, kTractionInput>;
 
-struct Number {
+struct Moved {
   double value = 0.0;
-  Row by = Row::Zero();
+  PieceRow by = PieceRow::Zero();
 };
 
 // d(sum_k N_k x_k) . v for the four ends x_k
-Row along(const Eigen::Vector4d& shape, const Vec2& v) {
-  Row out;
+PieceRow along(const Eigen::Vector4d& shape, const Vec2& v) {
+  PieceRow out;
   for (int k = 0; k < 4; ++k) out.segment<2>(2 * k) = shape(k) * v.transpose();
   return out;
 }
@@ -37,8 +37,8 @@ struct Faces {
   bool deformed = true;
   Vec2 a, own, c, e, t, n;
   double length = 0.0, et = 0.0, en = 0.0;
-  Row spin = Row::Zero();      // of the frame: dt = n spin, dn = -t spin
-  Row d_length = Row::Zero();  // of the own face's length
+  PieceRow spin = PieceRow::Zero();      // of the frame: dt = n spin, dn = -t spin
+  PieceRow d_length = PieceRow::Zero();  // of the own face's length
 
   Faces(const Surfaces& surfaces, const FacePositions& at, Index f, Index g)
       : deformed(!surfaces.undeformed), a(at.start[f]), own(at.end[f] - a), c(at.start[g]), e(at.end[g] - c) {
@@ -58,9 +58,9 @@ struct Faces {
   static Eigen::Vector4d shape(double eta, double xi) { return {eta - 1.0, -eta, 1.0 - xi, xi}; }
   Vec2 gap(double eta, double xi) const { return c + xi * e - a - eta * own; }
 
-  Number bound(const Bound& where, double fixed) const {
+  Moved bound(const Bound& where, double fixed) const {
     if (!where.by_partner) return {fixed};
-    Number out{(c + where.place * e - a).dot(t) / length};
+    Moved out{(c + where.place * e - a).dot(t) / length};
     out.by = (along(shape(out.value, where.place), t) + gap(out.value, where.place).dot(n) * spin) / length;
     return out;
   }
@@ -68,10 +68,10 @@ struct Faces {
 
 // A point with its partner.
 struct Opposite {
-  Number eta, xi, gap;
+  Moved eta, xi, gap;
   Eigen::Vector4d shape;
 
-  Opposite(const Faces& faces, const Number& place) : eta(place), xi(place) {
+  Opposite(const Faces& faces, const Moved& place) : eta(place), xi(place) {
     if (faces.deformed) xi.value = (faces.a + eta.value * faces.own - faces.c).dot(faces.t) / faces.et;
     shape = Faces::shape(eta.value, xi.value);
     gap.value = faces.gap(eta.value, xi.value).dot(faces.n);
@@ -108,12 +108,12 @@ class Integral {
     const auto& interval = hats.intervals[strip_.interval];
     const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
     const double half = 0.5 * factor * (face.reference_end - face.reference_start).norm();
-    const Number begin = faces_.bound(piece_.begin_at, piece_.begin), end = faces_.bound(piece_.end_at, piece_.end);
+    const Moved begin = faces_.bound(piece_.begin_at, piece_.begin), end = faces_.bound(piece_.end_at, piece_.end);
     weight_ = {half * (end.value - begin.value), half * (end.by - begin.by)};
     if (piece_.partner_strip != kNone) set_other();
     constexpr double kGauss = 0.21132486540518712;
     for (const double place : {kGauss, 1.0 - kGauss}) {
-      Number eta{begin.value + place * (end.value - begin.value)};
+      Moved eta{begin.value + place * (end.value - begin.value)};
       eta.by = begin.by + place * (end.by - begin.by);
       add_point({faces_, eta});
     }
@@ -130,7 +130,7 @@ class Integral {
     if (!faces_.deformed) return;
     const double lengths =
         (partner.reference_end - partner.reference_start).norm() / (face.reference_end - face.reference_start).norm();
-    const Row d_et = along({0.0, 0.0, -1.0, 1.0}, faces_.t) + faces_.en * faces_.spin;
+    const PieceRow d_et = along({0.0, 0.0, -1.0, 1.0}, faces_.t) + faces_.en * faces_.spin;
     ratio_.value = lengths * faces_.length / std::fabs(faces_.et);
     ratio_.by = ratio_.value * (faces_.d_length / faces_.length - d_et / faces_.et);
   }
@@ -141,7 +141,7 @@ class Integral {
     const Vec2 traction = hat[0] * multipliers_[0] + hat[1] * multipliers_[1];
     add_forces(at, hat, traction);
     for (int k = 0; k < 2; ++k) {
-      const Number share{w * hat[k], hat[k] * weight_.by + (k == 0 ? -w : w) * hat_.slope * at.eta.by};
+      const Moved share{w * hat[k], hat[k] * weight_.by + (k == 0 ? -w : w) * hat_.slope * at.eta.by};
       add_node(kGapOutput + 2 * k, share, at.gap);
       out_.value(kSupportOutput + k) += share.value;
       out_.node_by.row(kSupportOutput - kGapOutput + k).head<kTractionInput>() += share.by;
@@ -150,7 +150,7 @@ class Integral {
     }
   }
 
-  void add_node(int k, const Number& share, const Number& of) {
+  void add_node(int k, const Moved& share, const Moved& of) {
     out_.value(k) += share.value * of.value;
     out_.node_by.row(k - kGapOutput).head<kTractionInput>() += share.value * of.by + of.value * share.by;
   }
@@ -159,15 +159,15 @@ class Integral {
     const Vec2 &t = faces_.t, &n = faces_.n;
     const double w = weight_.value, tn = traction.x(), tt = traction.y();
     const Vec2 pull = w * (tn * n + tt * t);
-    const Row along_n = tn * weight_.by + w * (slope_.x() * at.eta.by + tt * faces_.spin);
-    const Row along_t = tt * weight_.by + w * (slope_.y() * at.eta.by - tn * faces_.spin);
+    const PieceRow along_n = tn * weight_.by + w * (slope_.x() * at.eta.by + tt * faces_.spin);
+    const PieceRow along_t = tt * weight_.by + w * (slope_.y() * at.eta.by - tn * faces_.spin);
     Eigen::Matrix<double, 2, kForceInputs> d_pull;
     d_pull << n * along_n + t * along_t, w * hat[0] * n, w * hat[0] * t, w * hat[1] * n, w * hat[1] * t;
     for (int k = 0; k < 4; ++k) {
       out_.value.segment<2>(2 * k) += at.shape(k) * pull;
       out_.force_by.middleRows<2>(2 * k) += at.shape(k) * d_pull;
     }
-    const auto by_places = [&](int k, const Row& d_place) {  // as shares go over from one end to the other
+    const auto by_places = [&](int k, const PieceRow& d_place) {  // as shares go over from one end to the other
       out_.force_by.middleRows<2>(k).leftCols<kTractionInput>() += pull * d_place;
       out_.force_by.middleRows<2>(k + 2).leftCols<kTractionInput>() -= pull * d_place;
     };
@@ -193,10 +193,10 @@ class Integral {
     out_.force_by.middleRows<2>(2) += d_pair;
   }
 
-  void add_slip(int k, const Number& share, const Opposite& at) {
+  void add_slip(int k, const Moved& share, const Opposite& at) {
     const double slope = (trail_->anchor_end - trail_->anchor_begin) / (trail_->end - trail_->begin);
     const double place = trail_->anchor_begin + slope * (at.eta.value - trail_->begin);
-    Number slip;
+    Moved slip;
     if (!faces_.deformed) {
       slip.value = faces_.gap(at.eta.value, at.eta.value).dot(faces_.t) + faces_.length * (place - at.eta.value);
       slip.by = along(at.shape, faces_.t);
@@ -213,7 +213,7 @@ class Integral {
   }
 
   // The normal traction presses both faces alike, the tangential ones are opposite.
-  void add_difference(int k, const Number& share, const Opposite& at, const std::array<double, 2>& hat,
+  void add_difference(int k, const Moved& share, const Opposite& at, const std::array<double, 2>& hat,
                       const Vec2& traction) {
     const double second = other_hat_.at(at.xi.value);
     const std::array<double, 2> other{1.0 - second, second};
@@ -221,7 +221,7 @@ class Integral {
     const Vec2 their_slope = other_hat_.slope * (multipliers_[3] - multipliers_[2]);
     for (int i = 0; i < 2; ++i) {
       const double sign = i == 0 ? -1.0 : 1.0;
-      const Number beyond{
+      const Moved beyond{
           traction(i) + sign * ratio_.value * theirs(i),
           slope_(i) * at.eta.by + sign * (theirs(i) * ratio_.by + ratio_.value * their_slope(i) * at.xi.by)};
       add_node(k + i, share, beyond);
@@ -244,7 +244,7 @@ class Integral {
   const Vec2 slope_;  // of the tractions along the face
   PieceIntegrals& out_;
   Linear other_hat_;
-  Number ratio_, weight_, couple_;
+  Moved ratio_, weight_, couple_;
   std::array<double, 2> couple_by_traction_{};
 };
 
