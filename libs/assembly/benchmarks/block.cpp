@@ -20,6 +20,25 @@ void assemble(benchmark::State& state) {
 }
 BENCHMARK(assemble)->Arg(16)->Arg(64);
 
+// In the last iteration of an increment in which the faces slide, by springs or by multipliers.
+void assemble_contact(benchmark::State& state, contact::NegativeSide side, bool mortar) {
+  auto model = assembly::models::block(static_cast<int>(state.range(0)), side);
+  if (mortar) assembly::models::give_hats(model);
+  assembly::LoadStepper stepper(model, {});
+  for (int k = 0; k < 4; ++k)
+    if (std::holds_alternative<assembly::Failure>(stepper.advance())) return state.SkipWithError("an increment failed");
+  const auto history = stepper.state().history;
+  if (std::holds_alternative<assembly::Failure>(stepper.advance())) return state.SkipWithError("an increment failed");
+  assembly::Assembler assembler(model);
+  for (auto _ : state) benchmark::DoNotOptimize(assembler.assemble(stepper.state().displacement, history));
+  state.counters["ns_per_contact_point"] = 1e9 * assembler.seconds().contact / static_cast<double>(state.iterations()) /
+                                           static_cast<double>(model.surfaces.points.size());
+}
+BENCHMARK_CAPTURE(assemble_contact, springs_one_side, contact::NegativeSide::Left, false)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, springs_both_sides, contact::NegativeSide::Both, false)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, mortar_one_side, contact::NegativeSide::Left, true)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, mortar_both_sides, contact::NegativeSide::Both, true)->Arg(32);
+
 void pattern(benchmark::State& state) {
   const auto model = assembly::models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);
   for (auto _ : state) {

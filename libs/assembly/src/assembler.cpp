@@ -106,6 +106,7 @@ void Assembler::build_pattern() {
   };
   place(model_.cells, places_);
   place(model_.tip_points, tip_places_);
+  opposite_.assign(hats.strips.size(), {});
   ++version_;
 }
 

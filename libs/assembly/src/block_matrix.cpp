@@ -36,14 +36,6 @@ BlockMatrix::BlockMatrix(Index size, const std::vector<std::array<Index, 2>>& bl
   values_.assign(scalar_rows_.size(), 0.0);
 }
 
-BlockMatrix::Place BlockMatrix::find(Index row, Index column) const {
-  const auto begin = rows_.begin() + starts_[column], end = rows_.begin() + starts_[column + 1];
-  const auto at = std::lower_bound(begin, end, row);
-  if (at == end || *at != row) return {};
-  const auto blocks = static_cast<Index>(end - begin);
-  return {4 * starts_[column] + 2 * static_cast<Index>(at - begin), 2 * blocks};
-}
-
 void BlockMatrix::set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
 
 std::span<const Index> BlockMatrix::block_rows(Index column) const {

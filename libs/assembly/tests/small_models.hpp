@@ -30,6 +30,19 @@ inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
   return c;
 }
 
+/// Contact by multipliers instead of springs, on all cracks.
+inline void give_hats(Model& m) {
+  auto& s = m.surfaces;
+  for (const auto& law : s.laws) s.mortar.push_back({true, 1.0, 2.0, law.normal_penalty, 1.0 / law.normal_penalty});
+  std::vector<contact::HatPlan> plan(s.faces.size());
+  for (std::size_t f = 0; f < plan.size(); ++f) {
+    const bool both = s.sides[s.faces[f].crack] == contact::NegativeSide::Both;
+    if (s.is_negative(s.faces[f])) plan[f] = {s.element_size, both ? 0.5 : 1.0};
+  }
+  s.hats = contact::make_hats(s.faces, plan);
+  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+}
+
 inline Prescribed hold(const Model& m, const std::string& on, const Vec2& at_full_load) {
   return {on,
           geometry::boundary_nodes(m.mesh, on),

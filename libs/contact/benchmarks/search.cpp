@@ -7,8 +7,8 @@ namespace {
 
 using namespace cleft;
 
-void search(benchmark::State& state) {
-  contact::Slider slider(contact::NegativeSide::Right, static_cast<int>(state.range(0)));
+void search(benchmark::State& state, contact::NegativeSide side) {
+  contact::Slider slider(side, static_cast<int>(state.range(0)));
   const VecX u = slider.shift({0.33, -1e-3});
   for (auto _ : state) {
     slider.look(u);
@@ -16,7 +16,8 @@ void search(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(slider.pairs.size()));
 }
-BENCHMARK(search)->Arg(20)->Arg(200)->Arg(2000);
+BENCHMARK_CAPTURE(search, one_side, contact::NegativeSide::Right)->Arg(20)->Arg(200)->Arg(2000);
+BENCHMARK_CAPTURE(search, both_sides, contact::NegativeSide::Both)->Arg(20)->Arg(200)->Arg(2000);
 
 void pair_force(benchmark::State& state) {
   contact::Slider slider(contact::NegativeSide::Right);

@@ -58,7 +58,7 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
       multipliers[2] = traction(interval.first);
       multipliers[3] = traction(interval.second);
     }
-    integrals_[p] = integrate(surfaces, at, memory.trails, pieces_[p], multipliers);
+    integrate(surfaces, at, memory.trails, pieces_[p], multipliers, integrals_[p]);
     const auto& v = integrals_[p].value;
     for (int k = 0; k < 2; ++k) {
       nodes_[ends[k]].gap += v(kGapOutput + 2 * k);

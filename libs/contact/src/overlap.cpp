@@ -1,9 +1,6 @@
 #include "cleft/contact/overlap.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "dual.hpp"
 
 namespace cleft::contact {
 namespace {
@@ -121,16 +118,6 @@ void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const
   if (strip.end > begin + kCrumb) add(kNone, begin, strip.end);
 }
 
-using D = Dual<kPieceInputs>;
-struct Vector {
-  D x, y;
-};
-Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y}; }
-Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y}; }
-Vector operator*(const D& a, const Vector& b) { return {a * b.x, a * b.y}; }
-D dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y; }
-Vector input(const Vec2& v, int number) { return {D::input(v.x(), number), D::input(v.y(), number + 1)}; }
-
 double place_on(const Surfaces& surfaces, const FacePositions& at, const Piece& piece, double eta) {
   if (surfaces.undeformed) return eta;
   const Ray ray = ray_of(surfaces, at, surfaces.hats.strips[piece.strip].face);
@@ -206,116 +193,6 @@ std::vector<Trail> trails_at_rest(const Surfaces& surfaces) {
     if (surfaces.hats.first_strip[f] != surfaces.hats.first_strip[f + 1])
       out.push_back({f, 0.0, 1.0, enrichment::opposite_face(f), 0.0, 1.0});
   return out;
-}
-
-PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 4>& multipliers) {
-  const auto& hats = surfaces.hats;
-  const Strip& strip = hats.strips[piece.strip];
-  const auto& face = surfaces.faces[strip.face];
-  const auto& interval = hats.intervals[strip.interval];
-  const Vec2 reference = face.reference_end - face.reference_start;
-  const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
-  const double reference_length = factor * reference.norm();
-  const double hat_start = hats.second_hat(face, strip, 0.0), hat_slope = hats.second_hat(face, strip, 1.0) - hat_start;
-  const Trail* trail = piece.trail == kNone ? nullptr : &trails[piece.trail];
-
-  const Vector a = input(at.start[strip.face], 0), b = input(at.end[strip.face], 2),
-               c = input(at.start[piece.partner], 4), d = input(at.end[piece.partner], 6);
-  const Vector first = input(multipliers[0], 12), second = input(multipliers[1], 14);
-  const Vector own = b - a, e = d - c;
-  Vector t, n;
-  D length;
-  if (surfaces.undeformed) {
-    length = D(reference.norm());
-    t = {D(reference.x() / length.value), D(reference.y() / length.value)};
-  } else {
-    length = sqrt(dot(own, own));
-    t = {own.x / length, own.y / length};
-  }
-  n = {-face.normal_sign() * t.y, face.normal_sign() * t.x};
-  const D et = dot(e, t);
-  const auto bound = [&](const Bound& where, double fixed) {
-    if (!where.by_partner) return D(fixed);
-    return dot(c + D(where.place) * e - a, t) / length;
-  };
-  const D begin = bound(piece.begin_at, piece.begin), end = bound(piece.end_at, piece.end);
-  const D extent = end - begin;
-
-  // the hats of the other face, and ds'/ds
-  const Strip* other = piece.partner_strip == kNone ? nullptr : &hats.strips[piece.partner_strip];
-  const auto& partner = surfaces.faces[piece.partner];
-  const double other_start = other ? hats.second_hat(partner, *other, 0.0) : 0.0;
-  const double other_slope = other ? hats.second_hat(partner, *other, 1.0) - other_start : 0.0;
-  const Vector third = input(multipliers[2], 16), fourth = input(multipliers[3], 18);
-  D ratio(1.0);
-  if (other && !surfaces.undeformed) {
-    const double lengths = (partner.reference_end - partner.reference_start).norm() / reference.norm();
-    ratio = std::copysign(lengths, et.value) * (length / et);
-  }
-
-  std::array<D, kPieceOutputs> out;
-  constexpr double kGauss = 0.21132486540518712;
-  for (const double place : {kGauss, 1.0 - kGauss}) {
-    const D eta = begin + place * extent;
-    const D weight = (0.5 * reference_length) * extent;
-    const Vector y = a + eta * own;
-    const D xi = surfaces.undeformed ? eta : dot(y - c, t) / et;
-    const Vector gap = c + xi * e - y;
-    const D gap_n = dot(gap, n);
-    const D hat2 = hat_slope * eta + hat_start, hat1 = 1.0 - hat2;
-    const D tn = hat1 * first.x + hat2 * second.x, tt = hat1 * first.y + hat2 * second.y;
-    const Vector pull = weight * (tn * n + tt * t);
-    const D rest = 1.0 - eta, partner_rest = 1.0 - xi;
-    const auto add = [&](int k, const D& share, double sign) {
-      out[k] = out[k] + sign * (share * pull.x);
-      out[k + 1] = out[k + 1] + sign * (share * pull.y);
-    };
-    add(0, rest, -1.0);
-    add(2, eta, -1.0);
-    add(4, partner_rest, 1.0);
-    add(6, xi, 1.0);
-    if (!surfaces.undeformed) {
-      const D couple = weight * (tt * gap_n) / length;
-      const Vector pair = couple * n;
-      out[0] = out[0] - pair.x;
-      out[1] = out[1] - pair.y;
-      out[2] = out[2] + pair.x;
-      out[3] = out[3] + pair.y;
-    }
-    const D share1 = weight * hat1, share2 = weight * hat2;
-    out[8] = out[8] + share1 * gap_n;
-    out[10] = out[10] + share2 * gap_n;
-    out[16] = out[16] + share1;
-    out[17] = out[17] + share2;
-    if (other) {
-      const D hat4 = other_slope * xi + other_start, hat3 = 1.0 - hat4;
-      const D beyond_n = tn - ratio * (hat3 * third.x + hat4 * fourth.x),
-              beyond_t = tt + ratio * (hat3 * third.y + hat4 * fourth.y);
-      out[12] = out[12] + share1 * beyond_n;
-      out[13] = out[13] + share1 * beyond_t;
-      out[14] = out[14] + share2 * beyond_n;
-      out[15] = out[15] + share2 * beyond_t;
-    }
-    if (!trail) continue;
-    const double slope = (trail->anchor_end - trail->anchor_begin) / (trail->end - trail->begin);
-    const D place_a = slope * eta + (trail->anchor_begin - slope * trail->begin);
-    D slip;
-    if (surfaces.undeformed) {
-      slip = dot(gap, t) + length.value * (place_a - eta);
-    } else {
-      const Vector p = input(at.start[trail->anchor_face], 8), q = input(at.end[trail->anchor_face], 10);
-      slip = dot(p + place_a * (q - p) - y, t);
-    }
-    out[9] = out[9] + share1 * slip;
-    out[11] = out[11] + share2 * slip;
-  }
-  PieceIntegrals result;
-  for (int k = 0; k < kPieceOutputs; ++k) {
-    result.value(k) = out[k].value;
-    for (int i = 0; i < kPieceInputs; ++i) result.derivative(k, i) = out[k].by[i];
-  }
-  return result;
 }
 
 }  // namespace cleft::contact

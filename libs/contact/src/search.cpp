@@ -10,6 +10,7 @@ namespace cleft::contact {
 namespace {
 
 constexpr double kVertex = 1e-10;  // both neighbours of a vertex are tried, so that none is lost between them
+constexpr double kClose = 0.25;    // of an element: most partners are nearer, and few faces have to be looked at there
 
 struct PointRay {
   Vec2 y, t, n;
@@ -98,20 +99,26 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
 
   const double radius =
       surfaces.search_radius > 0.0 ? surfaces.search_radius : std::max(5.0 * surfaces.element_size, 10.0 * deepest);
-  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) {
-    const Point& point = surfaces.points[p];
-    Pair& pair = pairs[p];
-    pair = Pair{};
-    const PointRay ray = ray_of(surfaces, positions_, p, radius);
-    if (!(ray.length > 0.0)) continue;
+  const auto nearest = [&](PointRay ray, double reach) {
+    ray.reach = reach;
     Hit hit;
-    const Vec2 from = ray.y - radius * ray.n, to = ray.y + radius * ray.n;
+    const Vec2 from = ray.y - reach * ray.n, to = ray.y + reach * ray.n;
     grid_.near(from, to, [&](Index k) {
       double xi = 0.0, gap = 0.0;
       if (!meets(surfaces, positions_, ray, partners_[k], xi, gap)) return;
       if (xi < -kVertex || xi > 1.0 + kVertex) return;
       if (std::fabs(gap) < std::fabs(hit.gap)) hit = {partners_[k], gap};
     });
+    return hit;
+  };
+  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) {
+    const Point& point = surfaces.points[p];
+    Pair& pair = pairs[p];
+    pair = Pair{};
+    const PointRay ray = ray_of(surfaces, positions_, p, radius);
+    if (!(ray.length > 0.0)) continue;
+    Hit hit = nearest(ray, std::min(kClose * surfaces.element_size, radius));
+    if (hit.face == kNone) hit = nearest(ray, radius);
     for (const Index f : mouths_)
       for (const bool at_end : {false, true}) {
         if (!(at_end ? surfaces.faces[f].free_end : surfaces.faces[f].free_start)) continue;

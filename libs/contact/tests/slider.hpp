@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cleft/contact/history.hpp"
+#include "cleft/contact/multipliers.hpp"
 
 namespace cleft::contact {
 
@@ -27,14 +28,26 @@ struct Slider {
     memory = memory_at_rest(surfaces);
   }
 
+  // Mortar contact, with hats on the faces that carry the quadrature.
+  void give_hats(double spacing) {
+    const Law& law = surfaces.laws[0];
+    surfaces.mortar = {{true, 1.0, 1.0, law.normal_penalty, 1.0 / law.normal_penalty}};
+    const double factor = surfaces.sides[0] == NegativeSide::Both ? 0.5 : 1.0;
+    std::vector<HatPlan> plan(surfaces.faces.size());
+    for (std::size_t f = 0; f < plan.size(); ++f)
+      if (surfaces.is_negative(surfaces.faces[f])) plan[f] = {spacing, factor};
+    surfaces.hats = make_hats(surfaces.faces, plan);
+    surfaces.first_multiplier = enrichment::add_multipliers(unknowns, static_cast<Index>(surfaces.hats.nodes.size()));
+  }
+
   VecX shift(const Vec2& by, double turn = 0.0) const {
     Mat2 r;
     r << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
     std::vector<geometry::Side> side(mesh.nodes.size());
     for (std::size_t i = 0; i < side.size(); ++i)
       side[i] = mesh.nodes[i].y() > 0.51 ? geometry::Side::Left : geometry::Side::Right;
-    VecX u(unknowns.components());
-    for (Index q = 0; q < unknowns.count; ++q) {
+    VecX u = VecX::Zero(unknowns.components());
+    for (Index q = 0; q < unknowns.displacements(); ++q) {
       const Vec2& X = mesh.nodes[unknowns.node_of[q]];
       const bool above = (side[unknowns.node_of[q]] == geometry::Side::Left) == (q < unknowns.nodes);
       u.segment<2>(2 * q) = r * (X + (above ? by : Vec2::Zero())) - X;

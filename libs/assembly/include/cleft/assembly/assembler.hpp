@@ -60,6 +60,13 @@ class Assembler {
     std::array<Index, unknowns> stride;                       // of column
   };
 
+  // A face opposite a strip of hats, and where in the matrix what they depend on each other stands: row by row.
+  struct Opposite {
+    Index partner;
+    std::vector<BlockMatrix::Place> places;
+  };
+  const std::vector<BlockMatrix::Place>& places_of(const contact::Piece& piece, std::span<const Index> unknowns);
+
   void build_pattern();
   void make_room(const History& history);
   bool has_room(const History& history) const;
@@ -86,8 +93,9 @@ class Assembler {
   bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
   VecX force_, contact_force_, hat_force_;
   BlockMatrix matrix_;
-  std::vector<Places<3>> places_;      // of the cells
-  std::vector<Places<7>> tip_places_;  // of the tips' points
+  std::vector<Places<3>> places_;                // of the cells
+  std::vector<Places<7>> tip_places_;            // of the tips' points
+  std::vector<std::vector<Opposite>> opposite_;  // per strip of the hats, those met since the pattern was built
   ContactRoom room_;
   long version_ = 0;
   AssemblySeconds seconds_;

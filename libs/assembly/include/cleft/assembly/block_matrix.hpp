@@ -32,7 +32,18 @@ class BlockMatrix {
   Index nonzeros() const { return static_cast<Index>(values_.size()); }
 
   /// The place of block (row, column); start is kNone where the pattern has none.
-  Place find(Index row, Index column) const;
+  Place find(Index row, Index column) const {
+    const Index blocks = starts_[column + 1] - starts_[column];
+    const Index* const begin = rows_.data() + starts_[column];
+    const Index* at = begin;
+    for (Index left = blocks; left > 1;) {  // without branches, which nobody could predict
+      const Index half = left / 2;
+      at += half * static_cast<Index>(at[half - 1] < row);
+      left -= half;
+    }
+    if (*at != row) return {};
+    return {4 * starts_[column] + 2 * static_cast<Index>(at - begin), 2 * blocks};
+  }
 
   void add(const Place& place, const Mat2& block) {
     double* v = values_.data() + place.start;

@@ -44,10 +44,11 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
 std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, const std::vector<Piece>& pieces);
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces);
 
-/// What the integrals over a piece depend on, in this order, two components each: the ends of its own face, of the
-/// partner and of the anchor's face (current, metres), and the multipliers (l_N, l_T) of the nodes of its own interval
-/// and of the partner's (Pa).
-inline constexpr int kPieceInputs = 20;
+/// What the integrals over a piece depend on, in this order, two components each: the ends of its own face and of the
+/// partner (current, metres), the multipliers (l_N, l_T) of the nodes of its own interval (Pa), the ends of the anchor's
+/// face, and the multipliers of the nodes of the partner's interval. Forces depend on the first twelve only.
+inline constexpr int kPieceInputs = 20, kForceInputs = 12;
+inline constexpr int kTractionInput = 8, kAnchorInput = 12, kOtherTractionInput = 16;
 /// Forces on the ends of its own face and of the partner (N/m); for the first node and then for the second the gap and
 /// the slip, int phi g_N ds and int phi g_T ds (m^2), and what its tractions are beyond those of the other face, int
 /// phi (t_N - j t'_N) ds and int phi (t_T + j t'_T) ds (N/m) with j = ds'/ds, the ratio of reference lengths that lie
@@ -57,7 +58,8 @@ inline constexpr int kGapOutput = 8, kDifferenceOutput = 12, kSupportOutput = 16
 
 struct PieceIntegrals {
   Eigen::Matrix<double, kPieceOutputs, 1> value;
-  Eigen::Matrix<double, kPieceOutputs, kPieceInputs> derivative;
+  Eigen::Matrix<double, kGapOutput, kForceInputs> force_by;                 ///< derivatives of the forces
+  Eigen::Matrix<double, kPieceOutputs - kGapOutput, kPieceInputs> node_by;  ///< and of what follows them
 };
 
 /// Integrals over a piece, by two Gauss points, which are exact but for what the curvature of the face makes of them,
@@ -69,7 +71,7 @@ struct PieceIntegrals {
 /// with the partner x_B where the point's normal line meets the other face, the anchor x_A where it did when the last
 /// increment had converged, and the couple of pair.hpp. Lengths are of the undeformed face; where there is no trail the
 /// slip is 0.
-PieceIntegrals integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
-                         const Piece& piece, const std::array<Vec2, 4>& multipliers);
+void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
+               const std::array<Vec2, 4>& multipliers, PieceIntegrals& out);
 
 }  // namespace cleft::contact
