@@ -5,12 +5,12 @@
 namespace cleft::contact {
 namespace {
 
-struct Frame {
+struct FixedFrame {
   Vec2 t, n;
   double length;
 };
 
-Frame frame(const enrichment::Face& face) {
+FixedFrame fixed_frame(const enrichment::Face& face) {
   const Vec2 along = face.reference_end - face.reference_start;
   const double length = along.norm();
   const Vec2 t = along / length;
@@ -28,7 +28,7 @@ Vec2 jump(const Surfaces& surfaces, const FacePositions& at, Index p) {
 Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  const Frame f = frame(face);
+  const FixedFrame f = fixed_frame(face);
   const Vec2 d = jump(surfaces, at, p);
   Pair pair;
   pair.partner_face = enrichment::opposite_face(point.face);
@@ -46,7 +46,7 @@ PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) 
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const Law& law = surfaces.laws[face.crack];
-  const Frame f = frame(face);
+  const FixedFrame f = fixed_frame(face);
   const Traction& t0 = pair.state.traction;
   Mat2 stiffness = law.normal_penalty * f.n * f.n.transpose();  // d t_0 / d jump
   if (t0.status == Status::Slip)
@@ -66,7 +66,7 @@ PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) 
 
 double anchor_place_at(const Surfaces& surfaces, const FacePositions& at, Index p, double target) {
   const Point& point = surfaces.points[p];
-  const Frame f = frame(surfaces.faces[point.face]);
+  const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   return point.eta + (target - jump(surfaces, at, p).dot(f.t)) / f.length;
 }
 
