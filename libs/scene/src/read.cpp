@@ -21,7 +21,8 @@ void read_formulation(const Section& s, Scene& out) {
 }
 
 void read_contact(const Section& s, CrackSpec& out) {
-  out.mortar.on = s.has("method") && s.choice("method", {"penalty", "mortar"}) == "mortar";
+  const bool springs = s.has("normal_penalty") || s.has("tangential_penalty");
+  out.mortar.on = s.has("method") ? s.choice("method", {"penalty", "mortar"}) == "mortar" : !springs;
   for (const char* key : {"normal_penalty", "tangential_penalty"})
     if (out.mortar.on && s.has(key))
       s.fail(key, "mortar contact has no springs; allowed with method = \"penalty\" only");

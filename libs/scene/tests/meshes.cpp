@@ -217,8 +217,8 @@ steps = 1
   for (const auto& tie : near.ties)
     EXPECT_NEAR(assembly::tie_stiffness(near, tie), tie.weight * modulus(1e9, 0.3), 1e-3 * tie.weight);
   // the softer side counts for the penalty
-  const auto model =
-      build_model(scene_of(replaced(text, "contact = { normal_penalty = 1e10, tangential_penalty = 1e10 }", "")));
+  const auto model = build_model(scene_of(replaced(
+      text, "contact = { normal_penalty = 1e10, tangential_penalty = 1e10 }", "contact = { method = \"penalty\" }")));
   EXPECT_NEAR(model.surfaces.laws[0].normal_penalty, 7e9, 1.0);
 }
 

@@ -20,6 +20,13 @@ Scene with(const std::string& contact, const std::string& more = "") {
   return read_scene(folder.write("scene.toml", text));
 }
 
+TEST(MortarContact, IsWhatACrackHasUnlessItAsksForSprings) {
+  EXPECT_TRUE(with("").cracks[0].mortar.on);
+  EXPECT_TRUE(with("smoothing = 0").cracks[0].mortar.on);
+  EXPECT_FALSE(with("normal_penalty = 2.0e12").cracks[0].mortar.on);
+  EXPECT_FALSE(with("tangential_penalty = 2.0e12").cracks[0].mortar.on);
+}
+
 TEST(MortarContact, IsExactWithWiderHatsWhereItIsNotSmoothed) {
   EXPECT_FALSE(with("method = \"penalty\"").cracks[0].mortar.on);
   const auto smooth = with("method = \"mortar\"").cracks[0].mortar,
@@ -36,8 +43,8 @@ TEST(MortarContact, ReportsKeysOfTheOtherMethodAndNumbersThatMakeNoSense) {
   for (const Fault& fault :
        std::vector<Fault>{{kPenalty.c_str(), "contact = { method = \"mortar\", normal_penalty = @2.0e12 }",
                            "crack[0].contact.normal_penalty", "mortar contact has no springs"},
-                          {kPenalty.c_str(), "contact = { smoothing = @1.0 }", "crack[0].contact.smoothing",
-                           "method = \"mortar\" only"},
+                          {kPenalty.c_str(), "contact = { normal_penalty = 2.0e12, smoothing = @1.0 }",
+                           "crack[0].contact.smoothing", "method = \"mortar\" only"},
                           {kPenalty.c_str(), "contact = { method = \"penalty\", hat_width = @1.0 }",
                            "crack[0].contact.hat_width", "method = \"mortar\" only"},
                           {kPenalty.c_str(), "contact = { method = \"mortar\", smoothing = @-1.0 }",

@@ -7,7 +7,7 @@ namespace cleft::scene {
 namespace {
 
 TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
-  const auto model = build_model(scene_of(replaced(kBlock, "contact = { normal_penalty = 2.0e12 }\n", "")));
+  const auto model = build_model(scene_of(replaced(kBlock, "normal_penalty = 2.0e12", "method = \"penalty\"")));
   EXPECT_NEAR(model.surfaces.laws[0].normal_penalty, 1e10 / 0.01, 1e-3);
   EXPECT_NEAR(model.surfaces.laws[0].tangential_penalty, 1e10 / 0.01, 1e-3);
 }

@@ -86,7 +86,7 @@ struct CrackSpec {
   double friction = 0.0;
   bool intensities = false;  ///< whether the stress intensity factors of its tips are asked for
   std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
-  contact::Mortar mortar;                                    ///< if on, instead of penalties; without its stiffness
+  contact::Mortar mortar{.on = true};                        ///< if on, instead of penalties; without its stiffness
   std::optional<growth::Law> growth;                         ///< none: the crack stays as it is
   Location growth_at;
 };
