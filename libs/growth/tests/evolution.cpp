@@ -99,37 +99,65 @@ TEST(Evolution, AdvancesSeveralTimesAtOneLoadUntilTheBodyIsRelieved) {
   EXPECT_EQ(body.record().tips[0][0].advances, 0);  // at the boundary
 }
 
-TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
+// An edge crack that turns, since the top moves aside as well.
+bodies::Square turning_crack() {
   auto square = edge_crack();
   square.cells = {20, 20};
-  square.top = {0.008, 0.01};  // not symmetric: the crack turns
-  Law law = rankine(6e7, 0.1, 1);
-  const auto grown = [&](Evolution& body) {
-    for (;;) {
-      const auto outcome = body.advance();
-      if (const auto* step = std::get_if<Step>(&outcome)) {
-        if (!step->advances.empty()) return *step;
-      } else {
-        ADD_FAILURE() << assembly::describe(std::get<assembly::Failure>(outcome));
-        return Step{};
-      }
+  square.top = {0.008, 0.01};
+  return square;
+}
+
+// The first step of growth.
+Step first_growth(Evolution& body) {
+  while (!body.done()) {
+    auto outcome = body.advance();
+    if (auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      ADD_FAILURE() << assembly::describe(*failure);
+      return {};
     }
-  };
-  Evolution tried = square.evolution(law, 4);
-  const Step once = grown(tried);
-  const Vec2 before = once.advances.at(0).demand.ahead;
+    if (auto& step = std::get<Step>(outcome); !step.advances.empty()) return step;
+  }
+  ADD_FAILURE() << "nothing grows";
+  return {};
+}
+
+TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
+  Law law = rankine(6e7, 0.1, 1);
+  Evolution tried = turning_crack().evolution(law, 4);
+  const Step once = first_growth(tried);
+  ASSERT_EQ(once.advances.size(), 1u);
+  const Vec2 before = once.advances[0].demand.ahead;
   const Vec2 after = std::get<Rankine>(law.criterion).judge(tried.stepper().equilibrium(), {0, 1}).ahead;
   ASSERT_GT((after - before).norm(), 0.01);
 
   law.correct_direction = true;
-  Evolution corrected = square.evolution(law, 4);
-  const Step twice = grown(corrected);
+  Evolution corrected = turning_crack().evolution(law, 4);
+  const Step twice = first_growth(corrected);
+  ASSERT_EQ(twice.advances.size(), 1u);
   EXPECT_EQ(twice.load, once.load);
   EXPECT_EQ(twice.number, once.number);
-  const Advance& advance = twice.advances.at(0);
-  EXPECT_NEAR(advance.angle, std::atan2((before + after).y(), (before + after).x()), 1e-9);
-  EXPECT_NEAR(advance.length, 0.1, 1e-12);
-  EXPECT_EQ(twice.iterations_before, once.iterations_before + static_cast<int>(once.iterations.size()));
+  EXPECT_NEAR(twice.advances[0].angle, std::atan2((before + after).y(), (before + after).x()), 1e-9);
+  EXPECT_NEAR(twice.advances[0].length, 0.1, 1e-12);
+  EXPECT_GE(twice.iterations_before, once.iterations_before + static_cast<int>(once.iterations.size()));
+}
+
+TEST(Evolution, GoesTheFirstWayWhereTheCorrectedOneIsBarred) {
+  Law law = rankine(6e7, 0.1, 1);
+  const auto square = turning_crack();
+  Evolution plain = square.evolution(law, 4);
+  const Step first = first_growth(plain);
+  law.correct_direction = true;
+  int cuts = 0;
+  const auto once = [&](const std::vector<geometry::Crack>& cracks) {
+    if (++cuts > 1) throw InputError({}, "main", "is barred");
+    return square(cracks);
+  };
+  Evolution body(square(), bodies::in_steps(4), {law}, once);
+  const Step step = first_growth(body);
+  EXPECT_EQ(cuts, 2);
+  ASSERT_EQ(step.advances.size(), 1u);
+  EXPECT_EQ(step.advances[0].point, first.advances.at(0).point);
+  EXPECT_EQ(body.model().cracks[0].points.back(), step.advances[0].point);
 }
 
 TEST(Evolution, CutsThroughAtTheBoundaryWhereAnAdvanceIsLongerThanTheLigament) {

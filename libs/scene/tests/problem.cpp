@@ -12,6 +12,15 @@ TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
   EXPECT_NEAR(model.surfaces.laws[0].tangential_penalty, 1e10 / 0.01, 1e-3);
 }
 
+TEST(Problem, BranchFunctionsAreBluntAtFiniteStrainOnly) {
+  const auto blunting = [](const char* kinematics) {
+    const auto model = build_model(scene_of(kBlock, {"formulation.tip_enrichment=0.01", kinematics}));
+    return enrichment::blunting_at(model.mesh, model.unknowns, model.cut.tips.at(0));
+  };
+  EXPECT_NEAR(blunting("formulation.kinematics=finite"), enrichment::kBlunting * 0.01, 1e-12);  // cells of 0.01 m
+  EXPECT_EQ(blunting("formulation.kinematics=small"), 0.0);
+}
+
 TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
   EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }
