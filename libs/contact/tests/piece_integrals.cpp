@@ -9,8 +9,8 @@
 namespace cleft::contact {
 namespace {
 
-using Inputs = Eigen::Matrix<double, kPieceInputs, 1>;
-using Outputs = Eigen::Matrix<double, kPieceOutputs, 1>;
+using PieceInputs = Eigen::Matrix<double, kPieceInputs, 1>;
+using PieceOutputs = Eigen::Matrix<double, kPieceOutputs, 1>;
 
 // Two blocks that have slid, turned and warped, on anchors left behind at a smaller slip.
 class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
@@ -40,9 +40,9 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
 
   Index face_of(const Piece& piece) const { return slider.surfaces.hats.strips[piece.strip].face; }
 
-  Inputs inputs(const Piece& piece) const {
+  PieceInputs inputs(const Piece& piece) const {
     const auto& hats = slider.surfaces.hats;
-    Inputs x = Inputs::Zero();
+    PieceInputs x = PieceInputs::Zero();
     const auto add_face = [&](int k, Index f) { x.segment<4>(k) << at.start[f], at.end[f]; };
     const auto add_tractions = [&](int k, Index strip) {
       const auto& interval = hats.intervals[hats.strips[strip].interval];
@@ -56,7 +56,7 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
     return x;
   }
 
-  PieceIntegrals integrals(const Piece& piece, const Inputs& x) const {
+  PieceIntegrals integrals(const Piece& piece, const PieceInputs& x) const {
     FacePositions moved = at;
     std::vector<Trail> trail = trails;
     const auto put = [&](int k, Index f) { moved.start[f] = x.segment<2>(k), moved.end[f] = x.segment<2>(k + 2); };
@@ -78,7 +78,7 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
   }
 
   // By the definitions, at the middles of many parts.
-  Outputs summed(const Piece& piece, int parts) const {
+  PieceOutputs summed(const Piece& piece, int parts) const {
     const auto& surfaces = slider.surfaces;
     const auto& hats = surfaces.hats;
     const auto& strip = hats.strips[piece.strip];
@@ -89,7 +89,7 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
     const Vec2 t = (surfaces.undeformed ? reference : Vec2(b - a)).normalized();
     const Vec2 n = face.normal_sign() * turn_left(t);
     const double both = std::get<0>(GetParam()) == NegativeSide::Both ? 0.5 : 1.0;
-    Outputs out = Outputs::Zero();
+    PieceOutputs out = PieceOutputs::Zero();
     for (int k = 0; k < parts; ++k) {
       const double eta = piece.begin + (k + 0.5) / parts * (piece.end - piece.begin);
       const double ds = both * reference.norm() * (piece.end - piece.begin) / parts;
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, PieceIntegral,
 TEST_P(PieceIntegral, IsTheSumOverManyPoints) {
   ASSERT_GT(pieces.size(), 40U);
   for (const Piece& piece : pieces) {
-    const Outputs exact = integrals(piece, inputs(piece)).value;
+    const PieceOutputs exact = integrals(piece, inputs(piece)).value;
     const double far = (exact - summed(piece, 100)).cwiseAbs().maxCoeff(),
                  near = (exact - summed(piece, 200)).cwiseAbs().maxCoeff();
     EXPECT_LE(far, 1e-4 * exact.cwiseAbs().maxCoeff());
@@ -158,7 +158,7 @@ TEST_P(PieceIntegral, HasExactDerivatives) {
     moving += piece.begin_at.by_partner || piece.end_at.by_partner;
     anchored += piece.trail != kNone;
     other += piece.partner_strip != kNone;
-    const Inputs x = inputs(piece);
+    const PieceInputs x = inputs(piece);
     const auto exact = integrals(piece, x);
     Eigen::Matrix<double, kPieceOutputs, kPieceInputs> derivative;
     derivative.setZero();
@@ -166,10 +166,10 @@ TEST_P(PieceIntegral, HasExactDerivatives) {
     derivative.bottomRows<kPieceOutputs - kGapOutput>() = exact.node_by;
     for (int k = 0; k < kPieceInputs; ++k) {
       const double step = (k >= kTractionInput && k < kAnchorInput) || k >= kOtherTractionInput ? 1e-3 : 1e-7;
-      Inputs plus = x, minus = x;
+      PieceInputs plus = x, minus = x;
       plus(k) += step;
       minus(k) -= step;
-      const Outputs difference = (integrals(piece, plus).value - integrals(piece, minus).value) / (2.0 * step);
+      const PieceOutputs difference = (integrals(piece, plus).value - integrals(piece, minus).value) / (2.0 * step);
       EXPECT_LE((difference - derivative.col(k)).cwiseAbs().maxCoeff(), 1e-7) << "input " << k;
     }
   }
