@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -54,6 +55,30 @@ std::string style_of(const Curve& c, std::size_t number) {
                      c.title.empty() ? "notitle" : "title " + in_quotes(c.title));
 }
 
+// An axis for values of one sign starts at zero.
+std::string base_line(const Figure& f) {
+  bool positive = false, negative = false;
+  for (const auto& c : f.curves)
+    for (const double y : c.y) {
+      positive |= y > 0.0;
+      negative |= y < 0.0;
+    }
+  if (positive == negative) return "";
+  return positive ? "set yrange [0:*]\n" : "set yrange [*:0]\n";
+}
+
+// Room for the legend below the plot, of which a row takes as many titles as fit.
+int height_of(const Figure& f, int width) {
+  constexpr int kPlot = 400, kRow = 17, kLetter = 8, kSample = 50;
+  std::size_t longest = 0, titles = 0;
+  for (const auto& c : f.curves) {
+    longest = std::max(longest, c.title.size());
+    titles += c.title.empty() ? 0 : 1;
+  }
+  const auto columns = static_cast<std::size_t>(std::max(1, width / (kLetter * static_cast<int>(longest) + kSample)));
+  return kPlot + kRow * static_cast<int>((titles + columns - 1) / columns);
+}
+
 std::string head_of(const Drawing& d, const std::string& directory, const std::string& origin) {
   const std::string base = directory + "/" + d.name;
   return fmt::format(
@@ -64,7 +89,7 @@ std::string head_of(const Drawing& d, const std::string& directory, const std::s
 
 std::string tail_of(const Drawing& d, const std::string& directory) {
   return fmt::format(
-      "set terminal pngcairo size {},{} noenhanced background rgb 'white' font 'sans,13' fontscale 2 linewidth 2 "
+      "set terminal pngcairo size {},{} noenhanced background rgb 'white' font 'sans,13' fontscale 1.8 linewidth 2 "
       "pointscale 2\nset output {}\nreplot\nset output\n",
       2 * d.width, 2 * d.height, in_quotes(directory + "/" + d.name + ".png"));
 }
@@ -93,12 +118,13 @@ std::string palette_commands() {
 }
 
 Drawing drawing_of(const Figure& f, const std::string& name) {
-  std::string s = fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", in_quotes(f.title), in_quotes(f.x_label),
-                              in_quotes(f.y_label));
-  s += "set grid lc rgb '#cccccc'\nset key outside bottom center horizontal\n";
+  std::string s = fmt::format("set title {}\nset xlabel {} offset 0,0.3\nset ylabel {}\n", in_quotes(f.title),
+                              in_quotes(f.x_label), in_quotes(f.y_label));
+  s += "set grid lc rgb '#cccccc'\nset key outside bottom center horizontal samplen 2 title ' '\n";
   if (f.scale == Scale::LogLog) s += "set logscale xy\nset format xy '%.0e'\n";
   if (f.scale == Scale::LogY) s += "set logscale y\nset format y '%.0e'\n";
   if (!f.shade_label.empty()) s += palette_commands() + "set cblabel " + in_quotes(f.shade_label) + "\n";
+  if (f.scale == Scale::Linear) s += base_line(f);
   std::string plot;
   for (std::size_t k = 0; k < f.curves.size(); ++k) {
     s += fmt::format("$curve{} << EOD\n", k);
@@ -107,7 +133,9 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
     if (drawn > 0)
       plot += fmt::format("{}$curve{} {}", plot.empty() ? "plot " : ", \\\n  ", k, style_of(f.curves[k], k));
   }
-  return {name, s + (plot.empty() ? kNothing : plot) + "\n"};
+  Drawing d{name, s + (plot.empty() ? kNothing : plot) + "\n"};
+  d.height = height_of(f, d.width);
+  return d;
 }
 
 std::optional<std::string> draw(const std::vector<Drawing>& drawings, const std::string& directory,

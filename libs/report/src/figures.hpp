@@ -35,7 +35,7 @@ std::vector<std::pair<std::string, double>> phases_of(const Run& run);
 /// "label: text" where there are several runs, else the text.
 std::string with_label(const std::vector<Run>& runs, std::size_t run, const std::string& text);
 
-/// A curve `k` of run `r`: where there are several runs their colours tell them apart and dashes the curves of each.
+/// A curve `k` of run `r`: dashes tell the curves of a run apart, and colours those of a single run or several runs.
 Curve curve_of(const std::vector<Run>& runs, std::size_t r, std::size_t k, const std::string& title);
 
 /// A figure without a unit in its y label yet, whose curves hold SI numbers.

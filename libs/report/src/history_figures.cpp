@@ -156,7 +156,7 @@ void add_intensities(PageFigures& figures, const std::vector<Run>& runs) {
     s.x_label = "load";
     s.y_label = mode;
     s.y_unit = "Pa m^0.5";
-    s.caption = "By the interaction integral, and with `faces` from opening and slip.";
+    s.caption = "By the interaction integral, and with faces in the name from opening and slip.";
     add(figures, std::move(s));
   }
 }

@@ -109,7 +109,18 @@ PageFigure figure_of(const std::vector<Run>& runs, const std::string& crack, con
     for (double& x : c.x) x *= along.scale;
     for (double& y : c.y) y *= unit.scale;
   }
+  const auto one_face = [&](const std::string& face) {
+    return std::ranges::all_of(f.curves, [&](const Curve& c) { return c.title.ends_with(face); });
+  };
   f.title = fmt::format("{} along crack {}", q.title, crack);
+  for (const std::string face : {", left face", ", right face"})
+    if (one_face(face)) {
+      f.title += face;
+      for (auto& c : f.curves) {
+        c.title.resize(c.title.size() - face.size());
+        c.dash = 0;
+      }
+    }
   f.x_label = along.label("reference arc length s");
   f.y_label = unit.label(q.label);
   return {drawing_of(f, fmt::format("crack_{}_{}", crack, q.column)), q.caption};

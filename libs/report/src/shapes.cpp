@@ -67,6 +67,7 @@ void find_rows(Run& run) {
     while (next < load.size() && std::fabs(load[next] - shape.load) > kCrumbs) ++next;
     if (next == load.size()) continue;
     shape.row = next;
+    shape.load = load[next];
     row = next + 1;
   }
 }

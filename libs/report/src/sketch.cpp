@@ -15,7 +15,7 @@ Curve curve_of(const std::vector<Run>& runs, std::size_t r, std::size_t k, const
   Curve c;
   c.title = with_label(runs, r, title);
   c.colour = static_cast<int>(runs.size() == 1 ? k : r);
-  c.dash = static_cast<int>(runs.size() == 1 ? 0 : k);
+  c.dash = static_cast<int>(k);
   c.points = runs[r].history.rows.size() <= kMarks;
   return c;
 }

@@ -89,7 +89,7 @@ void add_phases(PageFigures& figures, const std::vector<Run>& runs) {
   std::string s =
       "set title 'Time by phase'\nset ylabel 'seconds'\nset yrange [0:*]\nset grid ytics lc rgb '#cccccc'\n"
       "set style data histogram\nset style histogram clustered gap 1\nset style fill solid noborder\n"
-      "set xtics rotate by -35 nomirror\nset key outside bottom center horizontal\n$phases << EOD\n";
+      "set xtics rotate by -35 nomirror\nset key outside bottom center horizontal samplen 2\n$phases << EOD\n";
   for (std::size_t k = 0; k < columns[0].size(); ++k) {
     s += '"' + columns[0][k].first + '"';
     for (const auto& phases : columns)
@@ -101,7 +101,7 @@ void add_phases(PageFigures& figures, const std::vector<Run>& runs) {
     s += fmt::format("{}$phases using {}{} lc rgb '{}' {}", k > 0 ? ", " : "", k + 2, k == 0 ? ":xtic(1)" : "",
                      colour(k), columns.size() > 1 ? "title " + in_quotes(titles[k]) : "notitle");
   figures.push_back(
-      {{"phases", s + "\n"}, "`other`: the rest of the total; for a resumed run also what its earlier parts took."});
+      {{"phases", s + "\n"}, "Other: the rest of the total; for a resumed run also what its earlier parts took."});
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <iterator>
 
@@ -74,6 +76,13 @@ std::string with_unit(double v, const char* unit) {
   return fmt::format("{:.6g} {}", readable.scale * v, readable.name);
 }
 
+// A number with the digits that a reader needs; other text as it is.
+std::string rounded(const std::string& cell) {
+  char* end = nullptr;
+  const double value = std::strtod(cell.c_str(), &end);
+  return cell.empty() || *end != '\0' ? cell : std::isnan(value) ? "" : fmt::format("{:.5g}", value);
+}
+
 struct Energy {
   const char* column;
   const char* title;
@@ -101,11 +110,9 @@ std::string summary_table(const std::vector<Run>& runs) {
   const auto from_info = [&](const char* name, const char* pointer) {
     add(rows, runs, name, [&](const Run& run) { return text_at(run.info, pointer); });
   };
-  from_info("scene", "/scene/title");
-  from_info("file", "/scene/file");
+  from_info("scene", "/scene/file");
   add(rows, runs, "end of the run",
       [](const Run& run) { return run.info.is_null() ? "not ended: no run.json" : text_at(run.info, "/end"); });
-  from_info("failure", "/failure");
   add(rows, runs, "load reached", [](const Run& run) { return number(last_of(run, "load")); });
   from_info("nodes", "/mesh/nodes");
   from_info("elements", "/mesh/elements");
@@ -119,7 +126,10 @@ std::string summary_table(const std::vector<Run>& runs) {
   add(rows, runs, "iterations", [](const Run& run) { return number(sum_of(run, "iterations")); });
   add(rows, runs, "cuts of increments", [](const Run& run) { return number(sum_of(run, "cuts")); });
   from_info("worst residual left (relative)", "/worst_residual");
-  from_info("order of Newton's iteration", "/newton_order");
+  add(rows, runs, "order of Newton's iteration", [](const Run& run) {
+    const std::string order = text_at(run.info, "/newton_order");
+    return order == "0" ? std::string() : order;  // none could be told
+  });
   from_info("largest overlap, element sizes", "/overlap");
   for (const auto& column : runs.front().history.header)
     if (column.starts_with("fx_") || column.starts_with("fy_"))
@@ -145,28 +155,36 @@ std::string energy_table(const std::vector<Run>& runs) {
 
 std::string growth_table(const std::vector<Run>& runs) {
   std::string out;
-  for (const auto& run : runs)
-    if (run.growth && !run.growth->rows.empty())
-      out += (runs.size() > 1 ? "<p>" + escaped(run.label) + "</p>\n" : "") +
-             table_of(run.growth->header, run.growth->rows);
+  for (const auto& run : runs) {
+    if (!run.growth) continue;
+    auto rows = run.growth->rows;
+    for (auto& row : rows)
+      for (auto& cell : row) cell = rounded(cell);
+    const std::string table = table_of(run.growth->header, rows);
+    if (!table.empty() && runs.size() > 1) out += "<p>" + escaped(run.label) + "</p>\n";
+    out += table;
+  }
   return out;
 }
 
 std::string phase_table(const std::vector<Run>& runs) {
+  std::vector<std::string> names;
+  for (const auto& run : runs)
+    for (const auto& [name, seconds] : phases_of(run))
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   std::vector<std::vector<std::string>> rows;
-  for (const auto& run : runs) {
-    const auto phases = phases_of(run);
-    double total = 0.0;
-    for (const auto& [name, seconds] : phases) total += seconds;
-    for (const auto& [name, seconds] : phases) {
-      rows.push_back(
-          {name, fmt::format("{:.4g}", seconds), fmt::format("{:.1f}", total > 0.0 ? 100.0 * seconds / total : 0.0)});
-      if (runs.size() > 1) rows.back().insert(rows.back().begin(), run.label);
-    }
-  }
-  std::vector<std::string> head{"phase", "seconds", "% of the total"};
-  if (runs.size() > 1) head.insert(head.begin(), "run");
-  return table_of(head, rows);
+  for (const auto& name : names)
+    add(rows, runs, name, [&](const Run& run) {
+      double total = 0.0, seconds = std::nan("");
+      for (const auto& [phase, s] : phases_of(run)) {
+        total += s;
+        if (phase == name) seconds = s;
+      }
+      return std::isnan(seconds)
+                 ? ""
+                 : fmt::format("{:.3g} s ({:.1f} %)", seconds, total > 0.0 ? 100.0 * seconds / total : 0.0);
+    });
+  return table_of(head_of(runs, "phase"), rows);
 }
 
 }  // namespace cleft::report
