@@ -67,16 +67,19 @@ std::string base_line(const Figure& f) {
   return positive ? "set yrange [0:*]\n" : "set yrange [*:0]\n";
 }
 
-// Room for the legend below the plot, of which a row takes as many titles as fit.
-int height_of(const Figure& f, int width) {
+// Room for the legend below the plot: a row takes as many titles as fit, and gnuplot leaves out what does not fit at
+// all.
+void make_room(const Figure& f, Drawing& d) {
   constexpr int kPlot = 400, kRow = 17, kLetter = 8, kSample = 50;
   std::size_t longest = 0, titles = 0;
   for (const auto& c : f.curves) {
     longest = std::max(longest, c.title.size());
     titles += c.title.empty() ? 0 : 1;
   }
-  const auto columns = static_cast<std::size_t>(std::max(1, width / (kLetter * static_cast<int>(longest) + kSample)));
-  return kPlot + kRow * static_cast<int>((titles + columns - 1) / columns);
+  const int title = kLetter * static_cast<int>(longest) + kSample;
+  d.width = std::max(d.width, title + kSample);
+  const auto columns = static_cast<std::size_t>(d.width / title);
+  d.height = kPlot + kRow * static_cast<int>((titles + columns - 1) / columns);
 }
 
 std::string head_of(const Drawing& d, const std::string& directory, const std::string& origin) {
@@ -134,7 +137,7 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
       plot += fmt::format("{}$curve{} {}", plot.empty() ? "plot " : ", \\\n  ", k, style_of(f.curves[k], k));
   }
   Drawing d{name, s + (plot.empty() ? kNothing : plot) + "\n"};
-  d.height = height_of(f, d.width);
+  make_room(f, d);
   return d;
 }
 

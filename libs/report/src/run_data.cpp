@@ -64,16 +64,23 @@ Run read_run(const std::string& directory) {
   return run;
 }
 
-// The last parts of the paths as far as they tell the runs apart, else the paths.
+// The last `count` parts of a path.
+std::string end_of(const std::string& directory, std::size_t count) {
+  fs::path path = fs::path(directory).lexically_normal(), out;
+  if (!path.has_filename()) path = path.parent_path();
+  for (; count > 0 && path.has_filename(); --count, path = path.parent_path())
+    out = out.empty() ? path.filename() : path.filename() / out;
+  return out.empty() ? directory : out.string();
+}
+
+// As much of the ends of the paths as tells the runs apart.
 void label(std::vector<Run>& runs) {
-  std::set<std::string> names;
-  for (auto& run : runs) {
-    const fs::path path = fs::path(run.directory).lexically_normal();
-    run.label = path.has_filename() ? path.filename() : path.parent_path().filename();
-    names.insert(run.label);
+  constexpr std::size_t kMostParts = 20;
+  for (std::size_t count = 1; count <= kMostParts; ++count) {
+    std::set<std::string> labels;
+    for (auto& run : runs) labels.insert(run.label = end_of(run.directory, count));
+    if (labels.size() == runs.size()) return;
   }
-  if (names.size() == runs.size()) return;
-  for (auto& run : runs) run.label = run.directory;
 }
 
 }  // namespace
