@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -83,6 +82,21 @@ void label(std::vector<Run>& runs) {
   }
 }
 
+// Runs that are compared have one colour bar a field.
+void share_ranges(std::vector<Run>& runs) {
+  std::map<std::string, Range> shared;
+  const auto visit = [&](const auto& visitor) {
+    for (auto& run : runs)
+      for (std::size_t k = 0; k < run.fields.size(); ++k) visitor(run.fields[k].name, run.ranges[k]);
+  };
+  visit([&](const char* name, const Range& range) {
+    Range& all = shared.emplace(name, range).first->second;
+    all = {std::min(all.least, range.least), std::max(all.most, range.most), std::min(all.low, range.low),
+           std::max(all.high, range.high)};
+  });
+  visit([&](const char* name, Range& range) { range = shared.at(name); });
+}
+
 }  // namespace
 
 std::string Run::title() const {
@@ -107,6 +121,7 @@ std::vector<Run> read_runs(const std::vector<std::string>& directories) {
   std::vector<Run> runs;
   for (const auto& directory : directories) runs.push_back(read_run(directory));
   label(runs);
+  share_ranges(runs);
   return runs;
 }
 

@@ -32,7 +32,8 @@ struct Shape {
   std::vector<std::vector<float>> values;  ///< of each of the run's fields, by triangle
 };
 
-/// Lowest and highest value of a field over all outputs, and the range of its colours: without a hundredth at each end.
+/// Lowest and highest value of a field over all outputs of all runs, and the range of its colours: without a hundredth
+/// at each end.
 struct Range {
   double least = 0.0, most = 0.0, low = 0.0, high = 0.0;
 };

@@ -21,9 +21,11 @@ std::string row_of(const char* tag, const std::vector<std::string>& cells) {
   return out + "</tr>\n";
 }
 
-std::string table_of(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows) {
+std::string table_of(const char* kind, const std::vector<std::string>& head,
+                     const std::vector<std::vector<std::string>>& rows) {
   if (rows.empty()) return "";
-  std::string out = "<div class=\"scroll\"><table>\n<thead>" + row_of("th", head) + "</thead>\n<tbody>\n";
+  std::string out = fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<thead>", kind) + row_of("th", head) +
+                    "</thead>\n<tbody>\n";
   for (const auto& row : rows) out += row_of("td", row);
   return out + "</tbody></table></div>\n";
 }
@@ -137,7 +139,7 @@ std::string summary_table(const std::vector<Run>& runs) {
   from_info("time, s", "/seconds/total");
   from_info("peak memory, MB", "/peak_megabytes");
   from_info("version of cleft", "/cleft");
-  return table_of(head_of(runs, ""), rows);
+  return table_of("runs", head_of(runs, ""), rows);
 }
 
 std::string energy_table(const std::vector<Run>& runs) {
@@ -150,7 +152,7 @@ std::string energy_table(const std::vector<Run>& runs) {
     if (std::isnan(work)) return std::string();
     return with_unit(error, "J/m") + (work == 0.0 ? "" : fmt::format(" ({:.2g} %)", 100.0 * error / work));
   });
-  return table_of(head_of(runs, "at the end, per unit thickness"), rows);
+  return table_of("runs", head_of(runs, "at the end, per unit thickness"), rows);
 }
 
 std::string growth_table(const std::vector<Run>& runs) {
@@ -160,7 +162,7 @@ std::string growth_table(const std::vector<Run>& runs) {
     auto rows = run.growth->rows;
     for (auto& row : rows)
       for (auto& cell : row) cell = rounded(cell);
-    const std::string table = table_of(run.growth->header, rows);
+    const std::string table = table_of("long", run.growth->header, rows);
     if (!table.empty() && runs.size() > 1) out += "<p>" + escaped(run.label) + "</p>\n";
     out += table;
   }
@@ -184,7 +186,7 @@ std::string phase_table(const std::vector<Run>& runs) {
                  ? ""
                  : fmt::format("{:.3g} s ({:.1f} %)", seconds, total > 0.0 ? 100.0 * seconds / total : 0.0);
     });
-  return table_of(head_of(runs, "phase"), rows);
+  return table_of("runs", head_of(runs, "phase"), rows);
 }
 
 }  // namespace cleft::report
