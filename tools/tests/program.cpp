@@ -189,7 +189,9 @@ bool is_killed(const std::string& scene, const std::string& out, std::chrono::mi
   kill(child, SIGKILL);
   int status = 0;
   waitpid(child, &status, 0);
-  if (WIFEXITED(status)) EXPECT_EQ(WEXITSTATUS(status), 0);
+  if (WIFEXITED(status)) {
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
   return WIFSIGNALED(status);
 }
 

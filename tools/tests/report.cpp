@@ -172,6 +172,11 @@ TEST(Report, GrowthIsDrawnAndListed) {
   ASSERT_EQ(call("report " + wings + " -o " + out).code, 0);
   const std::string page = text_of(out + "/index.html");
   EXPECT_TRUE(has(page, "Advances of tips") && has(page, "id=\"growth\""));
+  // several outputs have one load: each is shown as the increment that it is of
+  const auto steps = scene::read_csv(wings + "/crack_main.csv").column("step");
+  for (const double step : steps)
+    ASSERT_TRUE(has(page, ", increment " + std::to_string(static_cast<int>(step)) + "\"")) << step;
+  EXPECT_FALSE(has(page, ", increment " + std::to_string(static_cast<int>(growth.column("step")[0]) - 1) + "\""));
 }
 
 TEST(Report, AWrongFolderOrADamagedFileIsToldAndNothingIsWritten) {

@@ -90,7 +90,7 @@ double largest_displacement(const Run& run) {
   return largest;
 }
 
-Json json_of(const Run& run, std::size_t stride) {
+Json json_of(const Run& run) {
   const double largest = largest_displacement(run);
   const auto pair = [](const Vec2& x) { return Json{x.x(), x.y()}; };
   Json j{{"label", run.label},
@@ -103,8 +103,7 @@ Json json_of(const Run& run, std::size_t stride) {
          {"shapes", Json::array()}};
   for (std::size_t k = 0; k < run.fields.size(); ++k) j["fields"].push_back(described(run.fields[k], run.ranges[k]));
   const Shape* last = nullptr;
-  for (std::size_t k = (run.shapes.size() - 1) % stride; k < run.shapes.size(); k += stride) {
-    const Shape& shape = run.shapes[k];
+  for (const Shape& shape : run.shapes) {
     if (!last || !same_mesh(*last, shape))
       j["meshes"].push_back(
           {{"bulk", shape.bulk_points},
@@ -124,22 +123,12 @@ Json json_of(const Run& run, std::size_t stride) {
   return j;
 }
 
-std::size_t bytes_of(const std::vector<Run>& runs) {
-  std::size_t bytes = 0;
-  for (const auto& run : runs)
-    for (const auto& shape : run.shapes)
-      bytes += 4 * shape.points.size() + run.fields.size() * shape.triangles.size() / 3;
-  return bytes;
-}
-
 }  // namespace
 
-std::string shapes_json(const std::vector<Run>& runs, std::size_t& stride) {
-  constexpr std::size_t kMostBytes = 8'000'000;  // which a phone still takes
-  stride = 1 + bytes_of(runs) / kMostBytes;
+std::string shapes_json(const std::vector<Run>& runs) {
   Json j{{"palette", palette()}, {"runs", Json::array()}};
   for (const auto& run : runs)
-    if (!run.shapes.empty()) j["runs"].push_back(json_of(run, stride));
+    if (!run.shapes.empty()) j["runs"].push_back(json_of(run));
   std::string out;
   for (const char c : j.dump(-1, ' ', true, Json::error_handler_t::replace)) {
     if (c == '<')

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cctype>
 
 #include "cleft/scene/files.hpp"
 #include "cleft/support/base64.hpp"
@@ -27,20 +27,23 @@ void drop(std::string& text, const std::string& element) {
 }
 
 // A figure of gnuplot as a part of a page: without its head and tooltips, and with names that no other figure has.
-std::string inlined(std::string svg, const std::string& name, const std::string& label) {
+std::string inlined(std::string svg, const std::string& name) {
   svg.erase(0, svg.find("<svg"));
   drop(svg, "title");
   drop(svg, "desc");
+  std::string prefix = name;
+  std::ranges::replace_if(
+      prefix, [](unsigned char c) { return !std::isalnum(c); }, '-');
   for (const std::string start : {" id=\"", " id='", "href='#", "href=\"#", "url(#"})
-    replace_all(svg, start, start + name + "-");
-  return fmt::format("<svg role=\"img\" aria-label=\"{}\"{}", escaped(label), svg.substr(4));
+    replace_all(svg, start, start + prefix + "-");
+  return fmt::format("<svg role=\"img\" aria-label=\"{}\"{}", escaped(name), svg.substr(4));
 }
 
 std::string image_of(const PageFigure& figure, const std::string& directory) {
   constexpr std::size_t kMostBytes = 1'500'000;
   const std::string base = directory + "/" + figure.drawing.name;
   std::string svg = scene::read_bytes(base + ".svg");
-  if (svg.size() <= kMostBytes) return inlined(std::move(svg), figure.drawing.name, figure.drawing.name);
+  if (svg.size() <= kMostBytes) return inlined(std::move(svg), figure.drawing.name);
   const std::string png = scene::read_bytes(base + ".png");
   return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(figure.drawing.name),
                      to_base64(png.data(), png.size()));
@@ -59,8 +62,14 @@ std::string section_text(const Section& section, const std::string& directory) {
 
 std::string viewer_text(const std::vector<Run>& runs) {
   if (std::ranges::all_of(runs, [](const Run& run) { return run.shapes.empty(); })) return "";
-  std::size_t stride = 1;
-  const std::string data = shapes_json(runs, stride);
+  std::string thinned;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (runs[r].stride > 1)
+      thinned += fmt::format(
+          "<p>{}</p>\n",
+          escaped(with_label(
+              runs, r,
+              fmt::format("one of {} outputs is shown and drawn; the field files have them all", runs[r].stride))));
   return fmt::format(
       R"(<h2>Deformed mesh</h2>
 {}<div class="controls">
@@ -77,8 +86,7 @@ std::string viewer_text(const std::vector<Run>& runs) {
 <noscript><p class="note">The mesh is drawn by a script, which this browser does not run.</p></noscript>
 <script type="application/json" id="shapes">{}</script>
 )",
-      stride > 1 ? fmt::format("<p>One of {} outputs is shown; the field files have them all.</p>\n", stride) : "",
-      data);
+      thinned, shapes_json(runs));
 }
 
 std::string notes_text(const std::vector<Run>& runs) {

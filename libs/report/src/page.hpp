@@ -27,9 +27,8 @@ std::string phase_table(const std::vector<Run>& runs);
 /// What run.json has of the scene, lists of numbers on one line.
 std::string scene_text(const Run& run);
 
-/// The outputs for the page's script, as JSON that may stand in HTML. Where they are many and large not all of them are
-/// taken; `stride` receives of how many outputs one is.
-std::string shapes_json(const std::vector<Run>& runs, std::size_t& stride);
+/// The outputs for the page's script, as JSON that may stand in HTML.
+std::string shapes_json(const std::vector<Run>& runs);
 
 /// The whole page. Figures are read from `directory`, where they have been drawn.
 std::string page_text(const std::vector<Run>& runs, const std::vector<Section>& sections, const std::string& directory);

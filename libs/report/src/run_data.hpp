@@ -56,8 +56,9 @@ struct Run {
   std::vector<FieldKind> fields;
   std::vector<Range> ranges;  ///< of each field
   std::vector<Shape> shapes;
-  double factor = 1.0;   ///< by which displacements are drawn too large: 1 unless none of them would be seen
-  Box reference, drawn;  ///< around all shapes, without displacements and with them times the factor
+  std::size_t stride = 1;  ///< the shapes are the first, the last and one of so many outputs between
+  double factor = 1.0;     ///< by which displacements are drawn too large: 1 unless none of them would be seen
+  Box reference, drawn;    ///< around all shapes, without displacements and with them times the factor
 
   /// Of run.json, or an empty string.
   std::string title() const;

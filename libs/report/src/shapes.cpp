@@ -57,21 +57,6 @@ void add_bulk(const std::string& path, Run& run, Shape& shape) {
   }
 }
 
-// Outputs and increments come in the same order. Outputs at one load follow each other by crumbs of the load.
-void find_rows(Run& run) {
-  constexpr double kCrumbs = 1e-7;
-  const auto load = run.column("load");
-  std::size_t row = 0;
-  for (auto& shape : run.shapes) {
-    std::size_t next = row;
-    while (next < load.size() && std::fabs(load[next] - shape.load) > kCrumbs) ++next;
-    if (next == load.size()) continue;
-    shape.row = next;
-    shape.load = load[next];
-    row = next + 1;
-  }
-}
-
 Range range_of(const Run& run, std::size_t field) {
   std::vector<float> all;
   for (const auto& shape : run.shapes)
@@ -116,30 +101,78 @@ double factor_of(const Run& run) {
   return power * (wanted >= 5.0 * power ? 5.0 : wanted >= 2.0 * power ? 2.0 : 1.0);
 }
 
+struct Output {
+  int number = 0;
+  double load = 0.0;
+  std::optional<std::size_t> row;    // of history.csv
+  std::array<std::string, 2> files;  // of the bulk and, if there are cracks, of their faces
+};
+
+// The increments of the outputs as the profile along a crack tells them, one after the other.
+std::vector<double> steps_of(const Run::Crack& crack, const std::string& directory) {
+  auto steps = column_of(crack.profile, "step", directory + "/crack_" + crack.name + ".csv");
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
+// Without a crack no two increments have one load. With one the profile tells the increment; the collection's loads
+// then differ by crumbs from those of the increments.
+void find_rows(const Run& run, std::vector<Output>& outputs) {
+  const auto load = run.column("load"), step = run.column("step");
+  for (auto& output : outputs)
+    if (std::ranges::count(load, output.load) == 1)
+      output.row = static_cast<std::size_t>(std::ranges::find(load, output.load) - load.begin());
+  for (const auto& crack : run.cracks) {
+    const auto steps = steps_of(crack, run.directory);
+    if (steps.size() != outputs.size()) continue;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      if (const auto at = std::ranges::find(step, steps[k]); at != step.end())
+        outputs[k].row = static_cast<std::size_t>(at - step.begin());
+    break;
+  }
+  for (auto& output : outputs)
+    if (output.row) output.load = load[*output.row];
+}
+
+// Those whose files are there, with the numbers that they have among all.
+std::vector<Output> outputs_of(const Run& run) {
+  const std::string collection = run.directory + "/fields.pvd";
+  std::vector<Output> out;
+  if (!std::filesystem::exists(collection)) return out;
+  for (const auto& entry : scene::read_pvd(collection)) {
+    if (entry.part == 0) out.push_back({out.empty() ? 0 : out.back().number + 1, entry.load, {}, {}});
+    if (out.empty() || entry.part < 0 || entry.part > 1)
+      throw std::runtime_error(collection + ": has a part that a run does not write");
+    if (std::filesystem::exists(run.directory + "/" + entry.file))
+      out.back().files[static_cast<std::size_t>(entry.part)] = run.directory + "/" + entry.file;
+  }
+  find_rows(run, out);
+  std::erase_if(out, [](const Output& output) { return output.files[0].empty(); });
+  return out;
+}
+
+// So that figures and page keep a size that a phone still takes.
+std::size_t stride_of(const Shape& first, std::size_t outputs) {
+  constexpr std::size_t kMostTriangles = 600'000;
+  return 1 + outputs * (first.triangles.size() / 3) / kMostTriangles;
+}
+
 }  // namespace
 
 void read_shapes(Run& run) {
-  const std::string collection = run.directory + "/fields.pvd";
-  if (!std::filesystem::exists(collection)) return;
-  int number = -1;
-  bool there = false;
-  for (const auto& entry : scene::read_pvd(collection)) {
-    const std::string path = run.directory + "/" + entry.file;
-    if (entry.part == 0) {
-      ++number;
-      there = std::filesystem::exists(path);
-      if (!there) continue;
-      Shape shape;
-      shape.number = number;
-      shape.load = entry.load;
-      add_bulk(path, run, shape);
-      run.shapes.push_back(std::move(shape));
-    } else if (there && std::filesystem::exists(path)) {
-      add_points(scene::read_vtu(path), run.shapes.back(), path);
-    }
+  const auto outputs = outputs_of(run);
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    if (run.shapes.size() == 1) run.stride = stride_of(run.shapes.front(), outputs.size());
+    if (!run.shapes.empty() && (outputs.size() - 1 - k) % run.stride != 0) continue;
+    Shape shape;
+    shape.number = outputs[k].number;
+    shape.load = outputs[k].load;
+    shape.row = outputs[k].row;
+    add_bulk(outputs[k].files[0], run, shape);
+    if (!outputs[k].files[1].empty()) add_points(scene::read_vtu(outputs[k].files[1]), shape, outputs[k].files[1]);
+    run.shapes.push_back(std::move(shape));
   }
   if (run.shapes.empty()) return;
-  find_rows(run);
   for (std::size_t field = 0; field < run.fields.size(); ++field) run.ranges.push_back(range_of(run, field));
   run.reference = box_of(run, 0.0);
   run.factor = factor_of(run);
