@@ -1,7 +1,7 @@
 # The libraries of cleft, lowest first, and for each the libraries that it may use directly. An arrow that is not in
 # this table is refused: by `cleft_library` when a library declares it, and by the test `build.Includes.FollowTheDeclaredArrows` when an #include draws it.
 
-set(CLEFT_LIBRARIES support geometry enrichment constitutive contact assembly growth scene verify)
+set(CLEFT_LIBRARIES support geometry enrichment constitutive contact assembly growth scene report verify)
 
 set(CLEFT_ALLOWED_support "")
 set(CLEFT_ALLOWED_geometry support)
@@ -11,7 +11,8 @@ set(CLEFT_ALLOWED_contact support geometry enrichment)
 set(CLEFT_ALLOWED_assembly support geometry enrichment constitutive contact)
 set(CLEFT_ALLOWED_growth support geometry enrichment constitutive contact assembly)
 set(CLEFT_ALLOWED_scene support geometry enrichment constitutive contact assembly growth)
-set(CLEFT_ALLOWED_verify support geometry enrichment constitutive contact assembly growth scene)
+set(CLEFT_ALLOWED_report support scene)
+set(CLEFT_ALLOWED_verify support geometry enrichment constitutive contact assembly growth scene report)
 
 # Stops the configuration unless library `name` may depend directly on each library that follows.
 function(cleft_check_arrows name)

@@ -22,6 +22,7 @@ int dispatch(int argc, char** argv) {
   add_converge(app, result);
   add_newton(app, result);
   add_tangent(app, result);
+  add_report(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -16,3 +16,6 @@ awk -F, '
   }
   END { if (found != 2) { print "   history.csv lacks the rows of loads 0.5 and 1.0"; exit 1 } }
 ' "$results/history.csv"
+
+say "figures and a page:"
+build/release/bin/cleft report "$results"

@@ -36,7 +36,7 @@ build() {
 }
 
 # The libraries, lowest first; run_tests_of_libraries PRESET [ctest options] runs their own tests.
-libraries=(support geometry constitutive contact enrichment assembly growth scene verify)
+libraries=(support geometry constitutive contact enrichment assembly growth scene report verify)
 
 run_tests_of_libraries() {
   ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" \

@@ -3,6 +3,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 tools/sanitize.sh
 build all
+# the pages of `cleft report` are tried in a browser
+install_missing_packages chromium chromium-driver python3-selenium
 
 say "running the tests"
 ctest --test-dir build/release --output-on-failure -j2

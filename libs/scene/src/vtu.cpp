@@ -3,29 +3,14 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <cstring>
 #include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
 
+#include "cleft/support/base64.hpp"
+
 namespace cleft::scene {
 namespace {
-
-std::string base64(const void* data, std::size_t size) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  std::string out;
-  out.reserve((size + 2) / 3 * 4);
-  for (std::size_t k = 0; k < size; k += 3) {
-    const unsigned a = bytes[k], b = k + 1 < size ? bytes[k + 1] : 0, c = k + 2 < size ? bytes[k + 2] : 0;
-    const unsigned word = a << 16 | b << 8 | c;
-    out += kDigits[word >> 18];
-    out += kDigits[word >> 12 & 63];
-    out += k + 1 < size ? kDigits[word >> 6 & 63] : '=';
-    out += k + 2 < size ? kDigits[word & 63] : '=';
-  }
-  return out;
-}
 
 // At most one compressed block: a header (how many blocks, their size, the last one's if it is shorter, and the
 // compressed size of each), then the data, each in base64.
@@ -37,8 +22,8 @@ std::string encode(const std::vector<T>& values) {
   if (compress2(buffer.data(), &packed, reinterpret_cast<const Bytef*>(values.data()), size, Z_BEST_SPEED) != Z_OK)
     throw std::runtime_error("zlib cannot compress the data");
   const std::uint64_t header[4] = {size == 0 ? 0u : 1u, size, 0, packed};
-  return base64(header, size == 0 ? 3 * sizeof(std::uint64_t) : sizeof header) +
-         (size == 0 ? "" : base64(buffer.data(), packed));
+  return to_base64(header, size == 0 ? 3 * sizeof(std::uint64_t) : sizeof header) +
+         (size == 0 ? "" : to_base64(buffer.data(), packed));
 }
 
 template <class T>

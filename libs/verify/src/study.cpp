@@ -13,7 +13,8 @@
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
-#include "processes.hpp"
+#include "cleft/support/process.hpp"
+#include "parallel.hpp"
 #include "study_files.hpp"
 #include "study_values.hpp"
 

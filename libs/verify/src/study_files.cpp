@@ -4,8 +4,8 @@
 
 #include <iterator>
 
+#include "cleft/report/figure.hpp"
 #include "cleft/scene/files.hpp"
-#include "cleft/verify/figure.hpp"
 
 namespace cleft::verify {
 namespace {
@@ -42,14 +42,14 @@ std::string fits_csv(const scene::Study& study, const StudyResult& result) {
   return out;
 }
 
-Figure figure_of(const scene::Study& study, const StudyResult& result, bool cost) {
-  Figure f;
+report::Figure figure_of(const scene::Study& study, const StudyResult& result, bool cost) {
+  report::Figure f;
   f.title = study.title;
   f.x_label = cost ? "seconds" : "h, m";
   f.y_label = "relative error";
-  f.logarithmic = true;
+  f.scale = report::Scale::LogLog;
   for (const auto& s : result.series) {
-    Curve c;
+    report::Curve c;
     c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
@@ -65,8 +65,9 @@ Figure figure_of(const scene::Study& study, const StudyResult& result, bool cost
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory) {
   scene::write_atomically(directory + "/study.csv", runs_csv(study, result));
   scene::write_atomically(directory + "/fits.csv", fits_csv(study, result));
-  draw(figure_of(study, result, false), directory, "convergence");
-  draw(figure_of(study, result, true), directory, "cost");
+  report::draw(
+      {drawing_of(figure_of(study, result, false), "convergence"), drawing_of(figure_of(study, result, true), "cost")},
+      directory, "cleft converge");
 }
 
 }  // namespace cleft::verify

@@ -25,6 +25,8 @@ struct VtuGrid {
 
 /// The file's text: zlib-compressed binary data inline; doubles are kept exactly.
 std::string vtu_text(const VtuGrid& grid);
+/// Reads what `vtu_text` has written. Throws std::runtime_error with path and reason on anything else.
+VtuGrid read_vtu(const std::string& path);
 
 struct PvdEntry {
   double load = 0.0;
@@ -32,5 +34,7 @@ struct PvdEntry {
   std::string file;  ///< relative to the collection
 };
 std::string pvd_text(const std::vector<PvdEntry>& entries);
+/// Throws std::runtime_error with path and reason where the file is not one of these.
+std::vector<PvdEntry> read_pvd(const std::string& path);
 
 }  // namespace cleft::scene

@@ -1,15 +1,17 @@
 // Work in parallel, in threads and in processes of its own.
-#include "processes.hpp"
+#include "parallel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cstdlib>
 
+#include "cleft/support/process.hpp"
+
 namespace cleft::verify {
 namespace {
 
-TEST(Processes, EveryPieceOfWorkIsDoneOnce) {
+TEST(Parallel, EveryPieceOfWorkIsDoneOnce) {
   for (const int jobs : {1, 2, 8}) {
     std::vector<int> done(1000, 0);  // each thread writes to places of its own
     std::atomic<int> sum = 0;
@@ -22,17 +24,12 @@ TEST(Processes, EveryPieceOfWorkIsDoneOnce) {
   }
 }
 
-TEST(Processes, CommandsReturnTheirCodesSideBySide) {
+TEST(Parallel, CommandsReturnTheirCodesSideBySide) {
   std::vector<int> codes(16, -7);
   for_each_parallel(codes.size(), 4, [&](std::size_t k) {
     codes[k] = call({"sh", "-c", "exit " + std::to_string(k)}, "/dev/null");
   });
   for (std::size_t k = 0; k < codes.size(); ++k) EXPECT_EQ(codes[k], static_cast<int>(k));
-}
-
-TEST(Processes, ACommandThatIsNotThereOrIsKilledReturnsMinusOne) {
-  EXPECT_EQ(call({"sh", "-c", "kill -9 $$"}, "/dev/null"), -1);
-  EXPECT_NE(call({"/nowhere/program"}, "/dev/null"), 0);
 }
 
 }  // namespace

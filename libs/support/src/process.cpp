@@ -1,15 +1,13 @@
-#include "processes.hpp"
+#include "cleft/support/process.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
-#include <thread>
 
-namespace cleft::verify {
+namespace cleft {
 
 int call(const std::vector<std::string>& command, const std::string& output) {
   std::vector<char*> arguments;
@@ -29,14 +27,4 @@ int call(const std::vector<std::string>& command, const std::string& output) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto worker = [&] {
-    for (std::size_t k = next++; k < count; k = next++) work(k);
-  };
-  std::vector<std::jthread> threads;
-  for (int k = 1; k < jobs; ++k) threads.emplace_back(worker);
-  worker();
-}
-
-}  // namespace cleft::verify
+}  // namespace cleft

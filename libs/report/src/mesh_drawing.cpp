@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+
+#include "figures.hpp"
+#include "unit.hpp"
+
+namespace cleft::report {
+namespace {
+
+// Triangles as closed lines of x, y and value; a value that is not finite stays white.
+std::string triangles_of(const Shape& shape, std::size_t field, double factor, double scale, const Unit& unit) {
+  std::string rows;
+  for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+    const double value = shape.values[field][t / 3] * unit.scale;
+    if (!std::isfinite(value)) continue;
+    for (const std::size_t corner : {0, 1, 2, 0}) {
+      const auto n = static_cast<std::size_t>(shape.triangles[t + corner]);
+      const Vec2 x = scale * (shape.points[n] + factor * shape.displacement[n]);
+      fmt::format_to(std::back_inserter(rows), "{:.5g} {:.5g} {:.4g}\n", x.x(), x.y(), value);
+    }
+    rows += '\n';
+  }
+  return rows;
+}
+
+std::string faces_of(const Shape& shape, double factor, double scale) {
+  std::string rows;
+  for (std::size_t n = shape.bulk_points; n < shape.points.size(); ++n) {
+    const Vec2 x = scale * (shape.points[n] + factor * shape.displacement[n]);
+    fmt::format_to(std::back_inserter(rows), "{:.5g} {:.5g}\n{}", x.x(), x.y(),
+                   (n - shape.bulk_points) % 2 ? "\n" : "");
+  }
+  return rows;
+}
+
+}  // namespace
+
+Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, const std::string& prefix) {
+  constexpr std::size_t kManyTriangles = 6000;  // whose edges would hide the colours
+  const double factor = run.factor;
+  const Box& box = run.drawn;
+  const Vec2 size = box.high - box.low;
+  const auto& kind = run.fields[field];
+  const Range& range = run.ranges[field];
+  const Unit metres = unit_for(size.maxCoeff(), "m"),
+             unit = unit_for(std::max(std::fabs(range.low), std::fabs(range.high)), kind.unit);
+  Drawing d{fmt::format("{}{}_{:04}", prefix, kind.name, shape.number), ""};
+  d.height = static_cast<int>(std::clamp(120.0 + 340.0 * size.y() / size.x(), 300.0, 760.0));
+  const Vec2 low = metres.scale * (box.low - 0.02 * size), high = metres.scale * (box.high + 0.02 * size);
+  d.script = fmt::format(
+      "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset cbrange [{:.6g}:{:.6g}]\n"
+      "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n{}",
+      in_quotes(fmt::format("{} at load {:.4g}{}", run.label, shape.load,
+                            factor == 1.0 ? "" : fmt::format(", displacements x {:g}", factor))),
+      in_quotes(metres.label("x")), in_quotes(metres.label("y")), in_quotes(unit.label(kind.title)),
+      unit.scale * range.low, unit.scale * range.high, low.x(), high.x(), low.y(), high.y(), palette_commands());
+  d.script += "$triangles << EOD\n" + triangles_of(shape, field, factor, metres.scale, unit) + "EOD\n$faces << EOD\n" +
+              faces_of(shape, factor, metres.scale) + "EOD\n";
+  d.script += "plot $triangles using 1:2:3 with polygons fs solid noborder fc palette z notitle";
+  if (shape.triangles.size() / 3 <= kManyTriangles)
+    d.script += ", $triangles using 1:2 with lines lc rgb '#b0000000' lw 0.3 notitle";
+  if (shape.points.size() > shape.bulk_points)
+    d.script += ", $faces using 1:2 with lines lc rgb 'black' lw 1.5 notitle";
+  d.script += '\n';
+  return d;
+}
+
+}  // namespace cleft::report
