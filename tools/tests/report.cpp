@@ -108,6 +108,21 @@ TEST(Report, ShowsTheNumbersOfTheRunWithTheirSigns) {
   EXPECT_TRUE(corner);
 }
 
+TEST(Report, DisplacementsThatNobodyWouldSeeAreMagnifiedAndTheFigureSaysSo) {
+  const std::string small =
+      solved("small", kSmall + "--set boundary.top.uy=-1e-5 --set boundary.top.ux=0.0 --set loading.steps=2 " +
+                          "--set 'loading.outputs=[1.0]'");
+  const std::string out = fresh("magnified");
+  ASSERT_EQ(call("report " + small + " -o " + out).code, 0);
+  const std::string script = text_of(out + "/stress_yy_0000.gp");
+  EXPECT_TRUE(has(script, "displacements x 200'") && has(script, "'Y + 200 uy, mm'"));
+  // a twentieth of the diagonal of 89.4 mm would be 447 times 0.01 mm, of the round factors 200 is the next below
+  double top = 0.0;
+  for (const auto& row : rows_of(script, "$triangles")) top = std::max(top, row[1]);
+  EXPECT_NEAR(top, 80.0 - 200 * 0.01, 1e-2);
+  EXPECT_FALSE(has(text_of(out + "/index.html"), "\"factor\":1.0,"));
+}
+
 TEST(Report, DrawsSeveralRunsOverEachOther) {
   const std::string out = fresh("overlay");
   ASSERT_EQ(call("report " + smooth() + " " + rough() + " -o " + out).code, 0);

@@ -56,7 +56,7 @@ Json described(const FieldKind& kind, const Range& range) {
       {"title", unit.label(kind.title)},
       {"low", number(range.low)},
       {"high", number(range.high)},
-      {"extremes", fmt::format("Over all outputs from {} to {}; the hundredth at each end has the colour of the end.",
+      {"extremes", fmt::format("Over the outputs here from {} to {}; the hundredth at each end has the colour of the end.",
                                number(range.least), number(range.most))}};
 }
 

@@ -51,13 +51,18 @@ Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, cons
   Drawing d{fmt::format("{}{}_{:04}", prefix, kind.name, shape.number), ""};
   d.height = static_cast<int>(std::clamp(120.0 + 340.0 * size.y() / size.x(), 300.0, 760.0));
   const Vec2 low = metres.scale * (box.low - 0.02 * size), high = metres.scale * (box.high + 0.02 * size);
+  const auto axis = [&](char letter) {
+    return in_quotes(metres.label(factor == 1.0
+                                      ? std::string(1, letter)
+                                      : fmt::format("{} + {:g} u{}", letter == 'x' ? 'X' : 'Y', factor, letter)));
+  };
   d.script = fmt::format(
       "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset cbrange [{:.6g}:{:.6g}]\n"
       "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n{}",
       in_quotes(fmt::format("{} at load {:.4g}{}", run.label, shape.load,
                             factor == 1.0 ? "" : fmt::format(", displacements x {:g}", factor))),
-      in_quotes(metres.label("x")), in_quotes(metres.label("y")), in_quotes(unit.label(kind.title)),
-      unit.scale * range.low, unit.scale * range.high, low.x(), high.x(), low.y(), high.y(), palette_commands());
+      axis('x'), axis('y'), in_quotes(unit.label(kind.title)), unit.scale * range.low, unit.scale * range.high, low.x(),
+      high.x(), low.y(), high.y(), palette_commands());
   d.script += "$triangles << EOD\n" + triangles_of(shape, field, factor, metres.scale, unit) + "EOD\n$faces << EOD\n" +
               faces_of(shape, factor, metres.scale) + "EOD\n";
   d.script += "plot $triangles using 1:2:3 with polygons fs solid noborder fc palette z notitle";

@@ -145,6 +145,7 @@
       return o;
     }));
     factor.value = r.factor;
+    edges.checked = r.shapes[0].values[0]().length <= 6000;  // more of them hide the colours
     slider.max = r.shapes.length;
     slider.value = r.shapes.length;
     slider.disabled = r.shapes.length < 2;

@@ -153,7 +153,7 @@ std::vector<Output> outputs_of(const Run& run) {
 
 // So that figures and page keep a size that a phone still takes.
 std::size_t stride_of(const Shape& first, std::size_t outputs) {
-  constexpr std::size_t kMostTriangles = 600'000;
+  constexpr std::size_t kMostTriangles = 300'000;
   return 1 + outputs * (first.triangles.size() / 3) / kMostTriangles;
 }
 
