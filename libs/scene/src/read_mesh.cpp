@@ -15,21 +15,21 @@ struct Belongs {
   const char* key;
   std::vector<std::string> kinds;
 };
-const std::vector<Belongs> kKeys{{"box", {"structured", "delaunay"}},
-                                 {"cells", {"structured"}},
-                                 {"diagonal", {"structured"}},
-                                 {"focus", {"structured"}},
-                                 {"outline", {"delaunay"}},
-                                 {"names", {"delaunay"}},
-                                 {"holes", {"delaunay"}},
-                                 {"size", {"delaunay"}},
-                                 {"crack_size", {"delaunay"}},
-                                 {"tip_size", {"delaunay"}},
-                                 {"gradation", {"delaunay"}},
-                                 {"refine", {"delaunay"}},
-                                 {"file", {"gmsh"}}};
+const std::vector<Belongs> kMeshKeys{{"box", {"structured", "delaunay"}},
+                                     {"cells", {"structured"}},
+                                     {"diagonal", {"structured"}},
+                                     {"focus", {"structured"}},
+                                     {"outline", {"delaunay"}},
+                                     {"names", {"delaunay"}},
+                                     {"holes", {"delaunay"}},
+                                     {"size", {"delaunay"}},
+                                     {"crack_size", {"delaunay"}},
+                                     {"tip_size", {"delaunay"}},
+                                     {"gradation", {"delaunay"}},
+                                     {"refine", {"delaunay"}},
+                                     {"file", {"gmsh"}}};
 
-std::array<double, 4> read_box(const Section& s) {
+std::array<double, 4> read_extent(const Section& s) {
   const auto v = s.numbers("box", 4);
   if (!(v[2] > v[0]) || !(v[3] > v[1])) s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
   return {v[0], v[1], v[2], v[3]};
@@ -56,7 +56,7 @@ StructuredMesh::Focus read_focus(const Section& s, const StructuredMesh& mesh) {
 
 StructuredMesh read_structured(const Section& s) {
   StructuredMesh out;
-  out.box = read_box(s);
+  out.box = read_extent(s);
   const auto cells = s.numbers("cells", 2);
   for (int k = 0; k < 2; ++k) {
     if (!s.are_integers("cells") || cells[k] < 1 || cells[k] > 20000)
@@ -87,7 +87,7 @@ geometry::Outline read_outline(const Section& s) {
     s.fail(s.has("box") ? "box" : "outline", "says what the body is; allowed: exactly one of box and outline");
   if (s.has("box")) {
     if (s.has("names")) s.fail("names", "belongs to an outline; the sides of a box are left, right, bottom, top");
-    out = geometry::box_outline(read_box(s));
+    out = geometry::box_outline(read_extent(s));
   } else {
     out.outer.points = points_of(s.pairs("outline"));
     for (std::size_t k = 0; k < out.outer.points.size(); ++k) out.outer.names.push_back(fmt::format("edge{}", k + 1));
@@ -134,7 +134,7 @@ GmshMesh read_gmsh_file(const Section& s, const std::string& scene) {
 
 MeshSpec read_mesh(const Section& s, const std::string& scene) {
   const std::string kind = s.has("kind") ? s.choice("kind", {"structured", "delaunay", "gmsh"}) : "structured";
-  for (const auto& [key, kinds] : kKeys)
+  for (const auto& [key, kinds] : kMeshKeys)
     if (s.has(key) && std::ranges::find(kinds, kind) == kinds.end())
       s.fail(key, fmt::format("is none of kind = \"{}\"; allowed with {}", kind, fmt::join(kinds, ", ")));
   if (kind == "delaunay") return {s.at(), read_delaunay(s)};
