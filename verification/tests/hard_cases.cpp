@@ -243,8 +243,10 @@ std::vector<Pair> pairs() {
        "block",
        edge_crack({{0.012, 0.0212}, {-0.012, 0.0212}, {-0.012, 0.0588}, {0.012, 0.0588}},
                   {"crack.main.negative_side=both"}),
-       {"crack=[{name=\"low\",points=[[0.012,0.0212],[-0.012,0.0212]],friction=0.3,negative_side=\"both\"},"
-        "{name=\"high\",points=[[-0.012,0.0588],[0.012,0.0588]],friction=0.3,negative_side=\"both\"}]"},
+       {"crack=[{name=\"low\",points=[[0.012,0.0212],[-0.012,0.0212]],friction=0.3,negative_side=\"both\",contact={"
+        "method=\"penalty\"}},"
+        "{name=\"high\",points=[[-0.012,0.0588],[0.012,0.0588]],friction=0.3,negative_side=\"both\",contact={method="
+        "\"penalty\"}}]"},
        same},
       {"branch functions, tip on a node or beyond it by 1e-3 h", "block", branches({low, middle}),
        branches({low, middle + Vec2(1e-3, 0.0) * h}), others},
