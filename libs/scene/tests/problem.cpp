@@ -14,7 +14,8 @@ TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
 
 TEST(Problem, BranchFunctionsAreBluntAtFiniteStrainOnly) {
   const auto blunting = [](const char* kinematics) {
-    const auto model = build_model(scene_of(kBlock, {"formulation.tip_enrichment=0.003", kinematics}));
+    const auto model = build_model(scene_of(kBlock, {"crack.main.points=[[0.0, 0.01833], [0.0169, 0.03523]]",
+                                                     "formulation.tip_enrichment=0.003", kinematics}));
     return enrichment::blunting_at(model.mesh, model.unknowns, model.cut.tips.at(0));
   };
   EXPECT_NEAR(blunting("formulation.kinematics=finite"), enrichment::kBlunting * 0.01, 1e-12);  // cells of 0.01 m
