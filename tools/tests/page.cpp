@@ -1,4 +1,7 @@
 // The page of a report in a browser, at the width of a desk and of a phone.
+#include <unistd.h>
+
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -29,10 +32,11 @@ Seen browse(const std::string& page, int width) {
 class Page : public testing::TestWithParam<int> {
  protected:
   static void SetUpTestSuite() {
+    std::filesystem::create_directories(parent());
     const std::string few = " --set 'mesh.cells=[8,16]' --set loading.steps=10 --set 'loading.outputs=[0.3,0.6,1.0]'";
     std::string runs;
     for (const char* friction : {"0.1", "0.5"}) {
-      const std::string run = fresh(std::string("page_friction_") + friction);
+      const std::string run = parent() + "/friction_" + friction;
       ASSERT_EQ(
           call("run " + kScenes + "block.toml" + few + " --set crack.main.friction=" + friction + " -o " + run).code,
           0);
@@ -41,7 +45,13 @@ class Page : public testing::TestWithParam<int> {
     const Outcome o = call("report" + runs + " -o " + folder());
     ASSERT_EQ(o.code, 0) << o.text;
   }
-  static std::string folder() { return testing::TempDir() + "cleft_program_page"; }
+  static void TearDownTestSuite() { std::filesystem::remove_all(parent()); }
+  // one a process, since each test may be run in its own
+  static std::string parent() {
+    static const std::string path = fresh("page_" + std::to_string(getpid()));
+    return path;
+  }
+  static std::string folder() { return parent() + "/page"; }
 };
 
 TEST_P(Page, IsWholeFitsTheWidthAndItsSliderMovesTheMesh) {
@@ -74,8 +84,8 @@ TEST_P(Page, IsWholeFitsTheWidthAndItsSliderMovesTheMesh) {
   EXPECT_NE(seen["larger_picture"], seen["plain_picture"]) << "displacements times 10";
   EXPECT_EQ(seen["address_step"], "1");
   EXPECT_EQ(seen["address_field"], "stress_xx");
-  EXPECT_EQ(seen["address_run"], "cleft_program_page_friction_0.1");
-  EXPECT_EQ(seen["other_run"], "cleft_program_page_friction_0.5");
+  EXPECT_EQ(seen["address_run"], "friction_0.1");
+  EXPECT_EQ(seen["other_run"], "friction_0.5");
   EXPECT_NE(seen["other_picture"], seen["address_picture"]);
   EXPECT_EQ(seen["playing"], "Stop");
   EXPECT_NE(seen["played_picture"], seen["other_picture"]);
