@@ -70,7 +70,7 @@ TEST_P(BoundaryField, LoadsOfASolutionBalanceTheTractionsOfItsBoundary) {
   };
   for (const auto side : {geometry::Side::Right, geometry::Side::Left}) {
     Vec2 sum = Vec2::Zero();
-    for (Index q = 0; q < model.unknowns.count; ++q) {
+    for (Index q = 0; q < model.unknowns.displacements(); ++q) {
       const double y = model.mesh.nodes[model.unknowns.node_of[q]].y();
       const auto of = model.unknowns.side_of[q];
       const bool left = of ? *of == geometry::Side::Left : y > height;
