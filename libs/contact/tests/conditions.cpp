@@ -62,7 +62,8 @@ struct Joint : Slider {
 // Compares a node's condition with differences along a direction in which everything changes.
 void expect_derivative(Joint& joint, const Place& place, Index node) {
   Place direction{{0.31, 0.17}, VecX(place.tractions.size())};
-  for (Index k = 0; k < direction.tractions.size(); ++k) direction.tractions[k] = std::cos(1.0 + 2.0 * static_cast<double>(k)) * 10.0;
+  for (Index k = 0; k < direction.tractions.size(); ++k)
+    direction.tractions[k] = std::cos(1.0 + 2.0 * static_cast<double>(k)) * 10.0;
   const double step = 1e-8;
   const Multipliers here = joint.at(place), ahead = joint.at(place.moved(direction, step)),
                     behind = joint.at(place.moved(direction, -step));

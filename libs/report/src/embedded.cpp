@@ -51,13 +51,13 @@ std::vector<std::uint8_t> tints(const std::vector<float>& values, const Range& r
 Json described(const FieldKind& kind, const Range& range) {
   const Unit unit = unit_for(std::max(std::fabs(range.low), std::fabs(range.high)), kind.unit);
   const auto number = [&](double v) { return fmt::format("{:.4g}", unit.scale * v); };
-  return {
-      {"name", kind.name},
-      {"title", unit.label(kind.title)},
-      {"low", number(range.low)},
-      {"high", number(range.high)},
-      {"extremes", fmt::format("Over the outputs here from {} to {}; the hundredth at each end has the colour of the end.",
-                               number(range.least), number(range.most))}};
+  return {{"name", kind.name},
+          {"title", unit.label(kind.title)},
+          {"low", number(range.low)},
+          {"high", number(range.high)},
+          {"extremes",
+           fmt::format("Over the outputs here from {} to {}; the hundredth at each end has the colour of the end.",
+                       number(range.least), number(range.most))}};
 }
 
 // Name and value of what history.csv has for the output.

@@ -45,8 +45,8 @@ std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, 
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces);
 
 /// What the integrals over a piece depend on, in this order, two components each: the ends of its own face and of the
-/// partner (current, metres), the multipliers (l_N, l_T) of the nodes of its own interval (Pa), the ends of the anchor's
-/// face, and the multipliers of the nodes of the partner's interval. Forces depend on the first twelve only.
+/// partner (current, metres), the multipliers (l_N, l_T) of the nodes of its own interval (Pa), the ends of the
+/// anchor's face, and the multipliers of the nodes of the partner's interval. Forces depend on the first twelve only.
 inline constexpr int kPieceInputs = 20, kForceInputs = 12;
 inline constexpr int kTractionInput = 8, kAnchorInput = 12, kOtherTractionInput = 16;
 /// Forces on the ends of its own face and of the partner (N/m); for the first node and then for the second the gap and

@@ -39,8 +39,8 @@ struct CsvTable {
   /// Throws std::runtime_error if there is no such column or a cell of it is missing or not a number.
   std::vector<double> column(const std::string& name) const;
 };
-/// Lines that begin with # before the header tell where the table is from and are passed over. Throws std::runtime_error
-/// with path and reason if the file cannot be read.
+/// Lines that begin with # before the header tell where the table is from and are passed over. Throws
+/// std::runtime_error with path and reason if the file cannot be read.
 CsvTable read_csv(const std::string& path);
 
 }  // namespace cleft::scene
