@@ -156,9 +156,9 @@ TEST(WingCrack, LoadsAndPathOfAllAdvancesConverge) {
   for (const auto* load : {&first, &last})
     EXPECT_LT(std::fabs((*load)[2] - (*load)[1]), 0.55 * std::fabs((*load)[1] - (*load)[0]));
   table.compare("load of the first advance, 75 over 100 cells", first[1] / first[2], exact(1.0),
-                within(0.02, "eight errors of 0.25 %"));
+                within(0.01, "eight errors of 0.1 %"));
   table.compare("distance of the last tips of 75 and 100 cells, m", (tip[2] - tip[1]).norm(), exact(0.0),
-                within(0.001, "a tenth of an element"));
+                within(0.0005, "a twentieth of an element"));
 }
 
 TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {

@@ -14,8 +14,8 @@ inline constexpr int kBranches = 4;
 inline constexpr double kPlateau = 0.65;
 
 /// Where strains are finite, the length over which the functions are blunt, as a part of the size of the tip's element.
-/// Enough for the sliding block of Liu and Borja to reach its full load (a tenth of it fails with sharp functions)
-/// without one increment cut.
+/// Enough for the sliding block of Liu and Borja to reach its full load without one increment cut; with sharp functions
+/// its run ends at 15 % of that.
 inline constexpr double kBlunting = 0.5;
 
 /// The four functions at one point. Only the second jumps over the crack, by twice its radial part.
