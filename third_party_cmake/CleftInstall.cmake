@@ -8,4 +8,6 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/cleft-config.cmake
   ${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake
   ${CMAKE_CURRENT_LIST_DIR}/FindSuiteSparse.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/FindMUMPS.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/FindMETIS.cmake
   DESTINATION ${folder})

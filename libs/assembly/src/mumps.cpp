@@ -1,0 +1,107 @@
+#include "mumps.hpp"
+
+#include <mutex>
+#include <new>
+
+#include "cleft/support/timer.hpp"
+#include "dissection.hpp"
+#include "factors.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+constexpr int kStart = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3;
+constexpr int kUseWorldCommunicator = -987654;
+
+// From so many rows on, nested dissection leaves the faster factors; below, minimum degree costs less itself.
+constexpr Index kDissected = 100'000;
+
+// The manual counts from 1.
+MUMPS_INT& control(DMUMPS_STRUC_C& data, int number) { return data.icntl[number - 1]; }
+MUMPS_INT outcome(const DMUMPS_STRUC_C& data, int number) { return data.infog[number - 1]; }
+
+constexpr int kOutOfMemory = -13;
+bool lacked_workspace(int error) { return error == -8 || error == -9; }
+
+}  // namespace
+
+int Mumps::call(int job) {
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
+  data_->job = job;
+  dmumps_c(data_.get());
+  if (outcome(*data_, 1) == kOutOfMemory) throw std::bad_alloc();
+  return outcome(*data_, 1);
+}
+
+void Mumps::forget() {
+  if (!data_) return;
+  call(kEnd);
+  data_.reset();
+}
+
+void Mumps::analyse(const BlockMatrix& m) {
+  const PhaseTimer timer(seconds_.analyse);
+  ++seconds_.analyses;
+  data_ = std::make_unique<DMUMPS_STRUC_C>();
+  auto& d = *data_;
+  d.comm_fortran = kUseWorldCommunicator;
+  d.par = 1;
+  d.sym = 0;
+  call(kStart);
+  for (const int stream : {1, 2, 3, 4}) control(d, stream) = 0;  // prints nothing
+  control(d, 6) = 0;    // no permutation of columns: the diagonal is good
+  control(d, 8) = 0;    // no scaling: the matrix comes scaled
+  control(d, 10) = 0;   // no refinement
+  control(d, 14) = 30;  // per cent of workspace beyond the estimate
+  control(d, 24) = 1;   // finds tiny pivots
+  control(d, 28) = 1;   // analysis in one process
+
+  rows_.resize(static_cast<std::size_t>(m.nonzeros()));
+  columns_.resize(rows_.size());
+  for (Index j = 0; j < m.rows(); ++j)
+    for (Index k = m.scalar_starts()[j]; k < m.scalar_starts()[j + 1]; ++k) {
+      rows_[k] = m.scalar_rows()[k] + 1;
+      columns_[k] = j + 1;
+    }
+  d.n = m.rows();
+  d.nnz = m.nonzeros();
+  d.irn = rows_.data();
+  d.jcn = columns_.data();
+  std::vector<Index> order;
+  const bool dissected = m.rows() >= kDissected;
+  control(d, 7) = dissected ? 1 : 0;
+  if (dissected) {
+    order = nested_dissection(m);
+    for (Index& position : order) ++position;
+    d.perm_in = order.data();
+  }
+  call(kAnalyse);
+  d.perm_in = nullptr;
+}
+
+Factors Mumps::factorise(const BlockMatrix& m) {
+  if (!data_) analyse(m);
+  const PhaseTimer timer(seconds_.factorise);
+  auto& d = *data_;
+  d.a = const_cast<double*>(m.values().data());
+  const double largest = Eigen::Map<const VecX>(m.values().data(), m.nonzeros()).cwiseAbs().maxCoeff();
+  d.cntl[2] = -kSuspiciousPivot * largest;
+  int error = call(kFactorise);
+  for (int doubled = 0; lacked_workspace(error) && doubled < 6; ++doubled) {
+    control(d, 14) *= 2;
+    error = call(kFactorise);
+  }
+  constexpr int kTinyPivots = 28;
+  return error == 0 && outcome(d, kTinyPivots) == 0 ? Factors::Regular : Factors::Doubtful;
+}
+
+VecX Mumps::solve(const VecX& b) {
+  VecX x = b;
+  data_->rhs = x.data();
+  call(kSolve);
+  data_->rhs = nullptr;
+  return x;
+}
+
+}  // namespace cleft::assembly

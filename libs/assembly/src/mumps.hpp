@@ -1,0 +1,34 @@
+// Factorisation of any matrix, by MUMPS: the fastest, but it only says that a pivot is tiny, not how tiny.
+#pragma once
+
+#include <dmumps_c.h>
+
+#include <memory>
+#include <vector>
+
+#include "cleft/assembly/linear_solver.hpp"
+
+namespace cleft::assembly {
+
+/// MUMPS keeps data of its own between calls, so that calls from several threads wait for each other.
+class Mumps {
+ public:
+  explicit Mumps(SolverSeconds& seconds) : seconds_(seconds) {}
+  ~Mumps() { forget(); }
+  Mumps(const Mumps&) = delete;
+  Mumps& operator=(const Mumps&) = delete;
+
+  void forget();                                 ///< the next matrix has another pattern
+  Factors factorise(const BlockMatrix& matrix);  ///< doubtful with a tiny pivot: such factors do not solve
+  VecX solve(const VecX& b);
+
+ private:
+  int call(int job);
+  void analyse(const BlockMatrix& matrix);
+
+  SolverSeconds& seconds_;
+  std::unique_ptr<DMUMPS_STRUC_C> data_;
+  std::vector<MUMPS_INT> rows_, columns_;  // from 1
+};
+
+}  // namespace cleft::assembly

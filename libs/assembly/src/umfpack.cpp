@@ -1,0 +1,46 @@
+#include "umfpack.hpp"
+
+#include <umfpack.h>
+
+#include <array>
+#include <new>
+
+#include "cleft/support/timer.hpp"
+#include "factors.hpp"
+
+namespace cleft::assembly {
+
+void Umfpack::forget() {
+  if (numeric_) umfpack_di_free_numeric(&numeric_);
+  if (symbolic_) umfpack_di_free_symbolic(&symbolic_);
+}
+
+Factors Umfpack::factorise(const BlockMatrix& m) {
+  std::array<double, UMFPACK_CONTROL> control{};
+  umfpack_di_defaults(control.data());
+  control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // the pattern is, and pivots on the diagonal are good
+  if (!symbolic_) {
+    const PhaseTimer timer(seconds_.analyse);
+    ++seconds_.analyses;
+    // without values: the order depends on the pattern alone, so that a resumed run repeats it exactly
+    if (umfpack_di_symbolic(m.rows(), m.rows(), m.scalar_starts().data(), m.scalar_rows().data(), nullptr, &symbolic_,
+                            control.data(), nullptr) == UMFPACK_ERROR_out_of_memory)
+      throw std::bad_alloc();
+  }
+  if (numeric_) umfpack_di_free_numeric(&numeric_);
+  const PhaseTimer timer(seconds_.factorise);
+  std::array<double, UMFPACK_INFO> info{};
+  const int status = umfpack_di_numeric(m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), symbolic_,
+                                        &numeric_, control.data(), info.data());
+  if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
+  return status == UMFPACK_OK ? graded(info[UMFPACK_RCOND]) : Factors::None;
+}
+
+VecX Umfpack::solve(const BlockMatrix& m, const VecX& b) const {
+  VecX x(m.rows());
+  umfpack_di_solve(UMFPACK_A, m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), x.data(), b.data(),
+                   numeric_, nullptr, nullptr);
+  return x;
+}
+
+}  // namespace cleft::assembly
