@@ -12,13 +12,16 @@ constexpr double kFalls = 10.0;
 // A displacement gradient of a correction below which its square is small against it.
 constexpr double kSmallGradient = 0.1;
 
-// From the first iteration after the last change of the contact to the last one that made a correction.
+// From the first iteration after the last change of the contact to the last one that made a correction, or to the first
+// one that did so with old factors.
 std::span<const Iteration> settled(std::span<const Iteration> all) {
   std::size_t first = 0, end = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (all[k].partner_changes + all[k].status_changes > 0) first = k;
     if (all[k].correction > 0.0) end = k + 1;
   }
+  for (std::size_t k = first; k < end; ++k)
+    if (all[k].kept) end = k + 1;
   return all.subspan(std::min(first, end), end - std::min(first, end));
 }
 

@@ -89,7 +89,7 @@ Results::Results(const Scene& scene, std::string directory, const Checkpoint* re
   open("history.csv", fmt::format("{}\n", fmt::join(history_columns(scene), ",")), resumed);
   open("newton.csv",
        "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
-       "rounding,gradient,chatters\n",
+       "rounding,gradient,chatters,kept\n",
        resumed);
   for (const auto& crack : scene.cracks)
     open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step\n",
@@ -120,9 +120,9 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
   iterations.push_back(step.left);
   for (std::size_t k = 0; k < iterations.size(); ++k) {
     const auto& i = iterations[k];
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{:d}\n", step.number, step.load,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d}\n", step.number, step.load,
                    k + 1, i.residual, i.correction, i.energy, i.partner_changes, i.status_changes, i.factor_seconds,
-                   i.assembly_seconds, i.rounding, i.gradient, i.chatters);
+                   i.assembly_seconds, i.rounding, i.gradient, i.chatters, i.kept);
   }
   logs_.at("newton.csv").append(rows);
 

@@ -20,7 +20,7 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
   };
   const auto step = column("step"), load = column("load"), residual = column("residual"), rounding = column("rounding"),
              correction = column("correction"), gradient = column("gradient"), energy = column("energy"),
-             partner = column("partner_changes"), status = column("status_changes");
+             partner = column("partner_changes"), status = column("status_changes"), kept = column("kept");
   std::vector<IncrementRate> rates;
   for (std::size_t k = 0; k < step.size(); ++k) {
     if (rates.empty() || rates.back().step != static_cast<int>(step[k]))
@@ -33,6 +33,7 @@ std::vector<IncrementRate> newton_rates(const std::string& directory) {
     it.energy = energy[k];
     it.partner_changes = static_cast<int>(partner[k]);
     it.status_changes = static_cast<int>(status[k]);
+    it.kept = kept[k] != 0.0;
     rates.back().iterations.push_back(it);
   }
   for (auto& rate : rates) {

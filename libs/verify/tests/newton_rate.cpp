@@ -79,12 +79,12 @@ TEST(NewtonRates, AreReadIncrementByIncrement) {
   std::filesystem::create_directories(folder);
   const std::string header =
       "step,load,iteration,residual,correction,energy,partner_changes,status_changes,factor_seconds,assembly_seconds,"
-      "rounding,gradient\n";
+      "rounding,gradient,kept\n";
   std::ofstream(folder + "/newton.csv")
       << header
-      << "1,0.1,1,1e-2,1e-2,1,0,0,0,0,1e-13,1e-2\n1,0.1,2,1e-4,1e-4,1,0,0,0,0,1e-13,1e-4\n"
-         "1,0.1,3,1e-8,1e-8,1,0,0,0,0,1e-13,1e-8\n1,0.1,4,1e-14,0,0,0,0,0,0,1e-13,0\n"
-         "2,0.2,1,1e-2,1e-2,1,0,2,0,0,1e-13,1e-2\n2,0.2,2,1e-14,0,0,0,0,0,0,1e-13,0\n";
+      << "1,0.1,1,1e-2,1e-2,1,0,0,0,0,1e-13,1e-2,0\n1,0.1,2,1e-4,1e-4,1,0,0,0,0,1e-13,1e-4,0\n"
+         "1,0.1,3,1e-8,1e-8,1,0,0,0,0,1e-13,1e-8,1\n1,0.1,4,1e-14,0,0,0,0,0,0,1e-13,0,0\n"
+         "2,0.2,1,1e-2,1e-2,1,0,2,0,0,1e-13,1e-2,0\n2,0.2,2,1e-14,0,0,0,0,0,0,1e-13,0,0\n";
   const auto rates = newton_rates(folder);
   ASSERT_EQ(rates.size(), 2u);
   EXPECT_EQ(rates[0].iterations.size(), 4u);

@@ -29,6 +29,7 @@ struct Iteration {
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
   int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
+  bool kept = false;      ///< the correction was made with the factors of an iteration before
   bool chatters = false;  ///< points of contact go round in circles; this correction was halved
 };
 
@@ -54,7 +55,7 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces. Where points or hats still change late in the iteration and the residual does not fall (chatter),
+/// hides the forces. The last correction is made with the factors of the one before if these suffice. Where points or hats still change late in the iteration and the residual does not fall (chatter),
 /// corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
@@ -70,7 +71,8 @@ struct ConvergenceOrder {
 };
 
 /// Order of convergence, log(g3 / g2) / log(g2 / g1) of the last three corrections above rounding, counted from where
-/// no contact point changed its partner or status any more. `g` is the largest displacement gradient of a correction. A
+/// no contact point changed its partner or status any more to the first one made with old factors, which still shows the
+/// error before it. `g` is the largest displacement gradient of a correction. A
 /// correction is above rounding if its residual is, or if the next one is ten times smaller: rounding does not shrink.
 /// Where there are two only, the next one, which rounding can but enlarge, gives a lower bound; it is taken in the
 /// largest displacement as well, and the higher bound counts, as the order does not depend on the norm. `iterations`
