@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
-# Which lines of libs/ the libraries' own tests execute: builds them with gcc's counters (build/coverage), runs them, and prints a line a
-# file and the sum. The verification suite is left out.
+# Which lines of libs/ the tests of the libraries and of the program execute: builds them with gcc's counters (build/coverage), runs them,
+# and prints a line a file and the sum. The verification suite is left out.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 install_missing_packages gcovr
 
-targets=("${libraries[@]/#/test_}")
-say "building the tests of the libraries with counters in build/coverage"
+say "building the tests of the libraries and of the program with counters in build/coverage"
 cmake --preset coverage
-cmake --build --preset coverage --parallel "$(nproc)" --target "${targets[@]}"
+cmake --build --preset coverage --parallel "$(nproc)" --target cleft test_tools "${libraries[@]/#/test_}"
 
 find build/coverage -name '*.gcda' -delete
 say "running them"
-run_tests_of_libraries coverage
+run_tests coverage "${libraries[*]} tools"
 gcovr --root . --filter 'libs/.*/(src|include)/' --object-directory build/coverage --print-summary build/coverage

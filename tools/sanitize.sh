@@ -13,7 +13,7 @@ say "running the tests of the libraries with the sanitizers"
 long=(FollowsAYieldingBlockBackAndHitsItsOutputs MatchesDifferencesOfTheAssembledForceInMidSlide
   ConditionStaysThatOfLinearTriangles IsReadBackExactlyByVtkAndMeshio
   JudgesTheMultipliersOfMortarContactInEveryBranch JudgesYieldingBodiesAndEnrichedTips)
-run_tests_of_libraries sanitize --exclude-regex "$(IFS='|' && echo "${long[*]}")"
+run_tests sanitize "${libraries[*]}" --exclude-regex "$(IFS='|' && echo "${long[*]}")"
 
 say "running three short scenes with them: a sliding block, one that yields, wings that grow"
 mkdir -p results

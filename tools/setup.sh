@@ -35,12 +35,12 @@ build() {
   cmake --build --preset release --parallel "$(nproc)" --target "$1"
 }
 
-# The libraries, lowest first; run_tests_of_libraries PRESET [ctest options] runs their own tests.
+# The libraries, lowest first, which are the labels of their tests.
 libraries=(support geometry constitutive contact enrichment assembly growth scene report verify)
 
-run_tests_of_libraries() {
-  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" \
-    --label-regex "^($(IFS='|' && echo "${libraries[*]}"))$" "${@:2}"
+# run_tests PRESET "LABEL..." [ctest options]: the tests with one of these labels.
+run_tests() {
+  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" --label-regex "^(${2// /|})$" "${@:3}"
 }
 
 mapfile -t packages < <(grep -v '^#' tools/packages.txt | grep .)

@@ -50,12 +50,12 @@ void Mumps::analyse(const BlockMatrix& m) {
   d.sym = 0;
   call(kStart);
   for (const int stream : {1, 2, 3, 4}) control(d, stream) = 0;  // prints nothing
-  control(d, 6) = 0;    // no permutation of columns: the diagonal is good
-  control(d, 8) = 0;    // no scaling: the matrix comes scaled
-  control(d, 10) = 0;   // no refinement
-  control(d, 14) = 30;  // per cent of workspace beyond the estimate
-  control(d, 24) = 1;   // finds tiny pivots
-  control(d, 28) = 1;   // analysis in one process
+  control(d, 6) = 0;                                             // no permutation of columns: the diagonal is good
+  control(d, 8) = 0;                                             // no scaling: the matrix comes scaled
+  control(d, 10) = 0;                                            // no refinement
+  control(d, 14) = 30;                                           // per cent of workspace beyond the estimate
+  control(d, 24) = 1;                                            // finds tiny pivots
+  control(d, 28) = 1;                                            // analysis in one process
 
   rows_.resize(static_cast<std::size_t>(m.nonzeros()));
   columns_.resize(rows_.size());

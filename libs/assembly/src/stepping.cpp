@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cleft/contact/history.hpp"
 #include "lost_contact.hpp"
@@ -20,7 +21,9 @@ constexpr double kRises = 0.5;              // of the planned increment: the loa
 
 std::vector<double> targets_of(const StepControls& controls) {
   std::vector<double> all(controls.outputs);
-  for (int k = 1; k <= controls.steps; ++k) all.push_back(static_cast<double>(k) / controls.steps);
+  all.insert(all.end(), controls.kinks.begin(), controls.kinks.end());
+  const int equal = controls.accuracy > 0.0 ? 1 : controls.steps;
+  for (int k = 1; k <= equal; ++k) all.push_back(static_cast<double>(k) / equal);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSameLoad; }), all.end());
   all.back() = 1.0;
@@ -101,11 +104,26 @@ bool LoadStepper::shorten() {
   return place_.step >= controls_.min_step;
 }
 
+// Part of the external work that the last increment left unexplained, both over its share of the load.
+double LoadStepper::missed_work(const Energies& before) const {
+  const double missed = std::fabs(state_.energies.imbalance() - before.imbalance());
+  const double share = (state_.load - state_.previous_load) / state_.load;
+  return missed / (std::fabs(state_.energies.external_work) * share + std::numeric_limits<double>::min());
+}
+
 // After an increment that converged, which is committed already.
-void LoadStepper::lengthen(bool easy) {
+void LoadStepper::lengthen(bool easy, double missed) {
   const double planned = 1.0 / controls_.steps;
   if (place_.stretch == 0.0) {
-    if (easy) place_.step = std::min(2.0 * place_.step, planned);
+    const double regained = easy ? std::min(2.0 * place_.step, planned) : std::min(place_.step, planned);
+    if (controls_.accuracy > 0.0) {
+      // what the trapezoidal rule misses is of second order in the increment
+      constexpr double kCaution = 0.8;
+      const double fits = kCaution * std::sqrt(controls_.accuracy / std::max(missed, 1e-3 * controls_.accuracy));
+      place_.step = std::max(regained, place_.step * std::clamp(fits, 0.5, easy ? 2.0 : 1.0));
+    } else {
+      place_.step = regained;
+    }
     return;
   }
   const double gain = state_.load - state_.previous_load;
@@ -160,8 +178,9 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     const bool is_output = std::any_of(controls_.outputs.begin(), controls_.outputs.end(),
                                        [&](double l) { return std::fabs(l - increment.load) < kSameLoad; });
     const bool first_time = increment.load > place_.furthest;
+    const Energies before_it = state_.energies;
     Step out = commit(increment);
-    lengthen(increment.iterations.size() <= kEasyIterations && cuts == 0);
+    lengthen(increment.iterations.size() <= kEasyIterations && cuts == 0, missed_work(before_it));
     out.is_output = is_output && first_time;
     out.cuts = cuts;
     return out;

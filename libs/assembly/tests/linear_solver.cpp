@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "dissection.hpp"
+
 namespace cleft::assembly {
 namespace {
 
@@ -65,6 +67,41 @@ TEST_P(Solver, RecoversAfterAMatrixThatFailed) {
   ASSERT_EQ(solver.factorise(good), Factors::Regular);
   const VecX b = VecX::LinSpaced(12, 1.0, 2.0);
   EXPECT_LT((good.multiply(solver.solve(good, b)) - b).norm(), 1e-12);
+}
+
+TEST_P(Solver, SolvesSystemsLargeEnoughForNestedDissection) {
+  const BlockMatrix m = chain(50'001, false);
+  LinearSolver solver(GetParam());
+  solver.new_pattern(1);
+  ASSERT_EQ(solver.factorise(m), Factors::Regular);
+  const VecX b = VecX::LinSpaced(m.rows(), 1.0, 2.0);
+  EXPECT_LT((m.multiply(solver.solve(m, b)) - b).norm(), 1e-6 * b.norm());
+}
+
+// A multiplier's row has no diagonal entry: pivots are found off it.
+TEST(Unsymmetric, SolvesWithEmptyDiagonals) {
+  BlockMatrix m(2, {{0, 1}, {1, 0}});
+  m.add(m.find(0, 0), 2.0 * Mat2::Identity());
+  m.add(m.find(0, 1), Mat2::Identity());
+  m.add(m.find(1, 0), 3.0 * Mat2::Identity());
+  LinearSolver solver(Factorisation::Unsymmetric);
+  solver.new_pattern(1);
+  ASSERT_EQ(solver.factorise(m), Factors::Regular);
+  const VecX b = VecX::LinSpaced(4, 1.0, 2.0);
+  EXPECT_LT((m.multiply(solver.solve(m, b)) - b).norm(), 1e-14);
+}
+
+TEST(NestedDissection, IsAPermutationThatKeepsBlocksTogether) {
+  const Index size = 300;
+  const auto position = nested_dissection(chain(size, false));
+  ASSERT_EQ(position.size(), 600u);
+  std::vector<bool> taken(position.size(), false);
+  for (std::size_t k = 0; k < position.size(); k += 2) {
+    EXPECT_EQ(position[k] % 2, 0);
+    EXPECT_EQ(position[k + 1], position[k] + 1);
+    EXPECT_FALSE(taken[position[k]]);
+    taken[position[k]] = true;
+  }
 }
 
 TEST_P(Solver, AnalysesOncePerPattern) {

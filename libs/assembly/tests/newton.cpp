@@ -114,6 +114,17 @@ TEST(ConvergenceOrder, StartsWhereTheContactHasSettled) {
   EXPECT_FALSE(convergence_order(iterations({{1, 1e-2, 0}, {1, 1e-4, 0}, {1, 1e-8, 1}, {1e-14, 0, 0}})));
 }
 
+TEST(ConvergenceOrder, EndsWithTheFirstCorrectionByOldFactors) {
+  auto its = iterations({{1, 1e-1, 1}, {1, 1e-2, 0}, {1e-2, 1e-4, 0}, {1e-6, 1e-8, 0}, {1e-9, 1e-11, 0}});
+  its[3].kept = true;  // it shows the error that a full step left; what it leaves itself is of first order
+  EXPECT_NEAR(convergence_order(its)->order, 2.0, 1e-12);
+  its[1].kept = true;
+  EXPECT_FALSE(convergence_order(its));
+  its[0].kept = true;  // before the contact settled
+  its[1].kept = false;
+  EXPECT_NEAR(convergence_order(its)->order, 2.0, 1e-12);
+}
+
 TEST(ConvergenceOrder, IsNotGuessed) {
   EXPECT_FALSE(convergence_order({}));
   EXPECT_FALSE(convergence_order(iterations({{1e-2, 1e-2, 0}, {1e-5, 1e-5, 0}, {1e-11, 0, 0}})));
@@ -162,6 +173,31 @@ TEST(Newton, ExtrapolationSavesIterationsAndChangesNothingElse) {
   }
   EXPECT_LT(iterations[1], iterations[0]);
   EXPECT_LT((force[1] - force[0]).norm(), 1e-5 * force[0].norm());
+}
+
+TEST(Newton, KeepsFactorsForTheLastCorrectionOnly) {
+  std::array<int, 2> kept{};
+  std::array<Vec2, 2> force;
+  for (const bool whole : {false, true}) {
+    const Model model = models::block(8, NegativeSide::Left);
+    StepControls controls;
+    if (whole) controls.newton.residual_tolerance = 1e-12;
+    LoadStepper stepper(model, controls);
+    while (stepper.state().load < 0.4) {
+      const auto outcome = stepper.advance();
+      ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+      const auto& step = std::get<Step>(outcome);
+      EXPECT_LE(step.left.residual, std::max(controls.newton.residual_tolerance, step.left.rounding));
+      for (std::size_t i = 0; i < step.iterations.size(); ++i) {
+        kept[whole] += step.iterations[i].kept;
+        EXPECT_TRUE(!step.iterations[i].kept || i + 1 == step.iterations.size()) << "step " << step.number;
+      }
+    }
+    force[whole] = stepper.reactions()[1];
+  }
+  EXPECT_GE(kept[0], 10);
+  EXPECT_LT(kept[1], kept[0]);
+  EXPECT_LT((force[1] - force[0]).norm(), 1e-7 * force[0].norm());
 }
 
 TEST(Newton, TightToleranceNeedsNoMoreThanRounding) {

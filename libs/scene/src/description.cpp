@@ -140,7 +140,8 @@ Json physics(const Scene& s) {
   j["loading"] = {{"steps", s.loading.steps},
                   {"control", s.loading.control == assembly::Control::Path ? "path" : "load"}};
   if (!s.loading.every_step) j["loading"]["outputs"] = s.loading.outputs;
-  j["solver"] = {{"residual_tolerance", s.solver.residual_tolerance},
+  j["solver"] = {{"accuracy", s.solver.accuracy},
+                 {"residual_tolerance", s.solver.residual_tolerance},
                  {"correction_tolerance", s.solver.correction_tolerance},
                  {"min_iterations", s.solver.min_iterations},
                  {"max_iterations", s.solver.max_iterations},

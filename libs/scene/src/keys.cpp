@@ -99,6 +99,9 @@ constexpr std::array kKeys = {
     Key{"loading", "steps", "integer", "equal increments from load 0 to 1"},
     Key{"loading", "outputs", "array of numbers", "loads hit exactly and written as fields; default: every step"},
     Key{"loading", "control", "text", "load | path: where the load fails to rise, follow the path that turns back"},
+    Key{"solver", "accuracy", "number",
+        "part of the external work that increments longer than 1/steps may miss; sets the tolerances unless they are "
+        "given"},
     Key{"solver", "residual_tolerance", "number", "relative to the forces"},
     Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment"},
     Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already"},

@@ -1,5 +1,6 @@
 #include "loads.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -125,6 +126,22 @@ VecX face_force(const assembly::Model& m, const FaceTraction& traction) {
     }
   }
   return force;
+}
+
+std::vector<double> kinks_of(const Scene& scene) {
+  std::vector<double> all;
+  const auto add = [&](const Amplitude& amplitude) {
+    for (const auto& [load, factor] : amplitude.points)
+      if (load > 0.0 && load < 1.0) all.push_back(load);
+  };
+  for (const auto& b : scene.boundaries) {
+    add(b.amplitude);
+    if (b.rotation) add(b.rotation->amplitude);
+  }
+  for (const auto& t : scene.tractions) add(t.amplitude);
+  if (scene.gravity) add(scene.gravity->amplitude);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace cleft::scene

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "cleft/assembly/model.hpp"
+#include "cleft/scene/description.hpp"
 
 namespace cleft::scene {
 
@@ -33,5 +34,8 @@ struct BulkPoint {
 
 /// Visits the quadrature points of every cell, and those of the tips.
 void for_each_point(const assembly::Model& model, const std::function<void(const BulkPoint&)>& visit);
+
+/// Loads between 0 and 1 at which an amplitude turns, ascending.
+std::vector<double> kinks_of(const Scene& scene);
 
 }  // namespace cleft::scene

@@ -315,6 +315,8 @@ assembly::StepControls step_controls(const Scene& scene) {
   assembly::StepControls c;
   c.steps = scene.loading.steps;
   c.outputs = scene.loading.outputs;
+  c.accuracy = scene.solver.accuracy;
+  c.kinks = kinks_of(scene);
   c.min_step = scene.solver.min_step;
   c.control = scene.loading.control;
   c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.min_iterations,

@@ -166,6 +166,12 @@ LoadingSpec read_loading(const Section& s) {
 SolverSpec read_solver(const Section& s) {
   SolverSpec out;
   const Section::Check small = [](double x) { return x > 0.0 && x < 1.0; };
+  out.accuracy = s.number_or(
+      "accuracy", 0.0, [](double x) { return x >= 1e-6 && x <= 0.1; }, "1e-6 to 0.1");
+  if (out.accuracy > 0.0) {
+    out.residual_tolerance = std::max(out.residual_tolerance, 1e-3 * out.accuracy);
+    out.correction_tolerance = std::max(out.correction_tolerance, 0.1 * out.accuracy);
+  }
   out.residual_tolerance = s.number_or("residual_tolerance", out.residual_tolerance, small, "between 0 and 1");
   out.correction_tolerance = s.number_or("correction_tolerance", out.correction_tolerance, small, "between 0 and 1");
   out.min_iterations = s.integer_or("min_iterations", out.min_iterations, 0, 1000);

@@ -22,6 +22,23 @@ TEST(Problem, BranchFunctionsAreBluntAtFiniteStrainOnly) {
   EXPECT_EQ(blunting("formulation.kinematics=small"), 0.0);
 }
 
+TEST(Problem, AnAccuracySetsTolerancesUnlessTheyAreGiven) {
+  const auto controls_of = [](std::vector<std::string> overrides) {
+    overrides.emplace_back("boundary.top.amplitude=[[0, 0], [0.3, 1], [1, 0.5]]");
+    overrides.emplace_back("traction.0.amplitude=[[0, 0], [0.2, 1], [1, 1]]");
+    return step_controls(scene_of(kBlock, overrides));
+  };
+  const auto plain = controls_of({});
+  EXPECT_EQ(plain.accuracy, 0.0);
+  EXPECT_EQ(plain.newton.residual_tolerance, 1e-8);
+  const auto loose = controls_of({"solver.accuracy=1e-2"});
+  EXPECT_EQ(loose.accuracy, 1e-2);
+  EXPECT_DOUBLE_EQ(loose.newton.residual_tolerance, 1e-5);
+  EXPECT_DOUBLE_EQ(loose.newton.correction_tolerance, 1e-3);
+  EXPECT_EQ(loose.kinks, (std::vector{0.2, 0.3}));
+  EXPECT_EQ(controls_of({"solver.accuracy=1e-2", "solver.residual_tolerance=1e-10"}).newton.residual_tolerance, 1e-10);
+}
+
 TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
   EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }

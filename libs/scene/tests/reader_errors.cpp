@@ -222,6 +222,7 @@ TEST(SceneReader, ReportsFaultsOfLoadsStepsAndSolver) {
       {"max_iterations = 20", "max_iterations = @0", "solver.max_iterations", "allowed: 1 to 1000"},
       {"max_iterations = 20", "gauss_points = @5", "solver.gauss_points", "allowed: 1 to 4"},
       {"max_iterations = 20", "residual_tolerance = @1.0", "solver.residual_tolerance", "between 0 and 1"},
+      {"max_iterations = 20", "accuracy = @0.5", "solver.accuracy", "1e-6 to 0.1"},
       {"max_iterations = 20", "extrapolate = @1", "solver.extrapolate", "not a truth value; allowed: true, false"},
       {"max_iterations = 20", "search_radius = @-1", "solver.search_radius", "positive"},
   });

@@ -145,6 +145,7 @@ TEST(SceneHash, ChangesWithEveryKeyThatTheSolutionDependsOn) {
                              "loading.outputs=[1.0]",
                              "solver.max_iterations=21",
                              "solver.residual_tolerance=1e-9",
+                             "solver.accuracy=1e-3",
                              "solver.extrapolate=false",
                              "solver.gauss_points=3",
                              "solver.search_radius=0.01",

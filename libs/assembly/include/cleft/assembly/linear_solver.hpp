@@ -21,8 +21,8 @@ struct SolverSeconds {
 /// for rounding has doubtful ones.
 enum class Factors { None, Doubtful, Regular };
 
-/// MUMPS for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to be
-/// positive definite is factorised by MUMPS, and counted. Where MUMPS meets tiny pivots UMFPACK decides.
+/// MUMPS for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to
+/// be positive definite is factorised by MUMPS, and counted. Where MUMPS meets tiny pivots UMFPACK decides.
 class LinearSolver {
  public:
   explicit LinearSolver(Factorisation kind);

@@ -55,8 +55,8 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces. The last correction is made with the factors of the one before if these suffice. Where points or hats still change late in the iteration and the residual does not fall (chatter),
-/// corrections are halved.
+/// hides the forces. The last correction is made with the factors of the one before if these suffice. Where points or
+/// hats still change late in the iteration and the residual does not fall (chatter), corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
@@ -71,13 +71,12 @@ struct ConvergenceOrder {
 };
 
 /// Order of convergence, log(g3 / g2) / log(g2 / g1) of the last three corrections above rounding, counted from where
-/// no contact point changed its partner or status any more to the first one made with old factors, which still shows the
-/// error before it. `g` is the largest displacement gradient of a correction. A
-/// correction is above rounding if its residual is, or if the next one is ten times smaller: rounding does not shrink.
-/// Where there are two only, the next one, which rounding can but enlarge, gives a lower bound; it is taken in the
-/// largest displacement as well, and the higher bound counts, as the order does not depend on the norm. `iterations`
-/// are those of one increment and what they left. Nothing where there are not even those, or where the corrections do
-/// not fall.
+/// no contact point changed its partner or status any more to the first one made with old factors, which still shows
+/// the error before it. `g` is the largest displacement gradient of a correction. A correction is above rounding if its
+/// residual is, or if the next one is ten times smaller: rounding does not shrink. Where there are two only, the next
+/// one, which rounding can but enlarge, gives a lower bound; it is taken in the largest displacement as well, and the
+/// higher bound counts, as the order does not depend on the norm. `iterations` are those of one increment and what they
+/// left. Nothing where there are not even those, or where the corrections do not fall.
 ///
 /// Three numbers show the order only as far as the constant C of e' = C e^2 is the same in both steps. The strains'
 /// nonlinearity is quadratic in the displacement gradient, at each point on its own: in the largest gradient C hardly

@@ -15,7 +15,11 @@ enum class Control : std::uint8_t { Load, Path };
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
-  double min_step = 1e-4;       ///< smallest increment of the load before the run is given up; at most 0.01 / steps
+  /// Part of the external work that the energy balance may miss before increments are no longer than 1/steps; 0: they
+  /// never are. The size of each follows from what the one before missed.
+  double accuracy = 0.0;
+  std::vector<double> kinks;  ///< loads that increments end at if their size is free, ascending
+  double min_step = 1e-4;     ///< smallest increment of the load before the run is given up; at most 0.01 / steps
   Control control = Control::Load;
   NewtonControls newton;
 };
@@ -48,7 +52,8 @@ struct Event {
 };
 
 /// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
-/// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly.
+/// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly. With an accuracy they are as long as
+/// that allows, where the iteration is easy, and only outputs and kinks are hit.
 ///
 /// With Control::Path an increment of the load that fails is tried along the path instead, and so are those after it,
 /// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs and load 1
@@ -95,7 +100,8 @@ class LoadStepper {
   Increment try_load(double before, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
   bool shorten();
-  void lengthen(bool easy);
+  void lengthen(bool easy, double missed);
+  double missed_work(const Energies& before) const;
   Failure given_up(Failure failure, double load, double size) const;
   Step commit(const Increment& increment);
 

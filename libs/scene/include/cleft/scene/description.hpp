@@ -143,6 +143,7 @@ struct LoadingSpec {
 };
 
 struct SolverSpec {
+  double accuracy = 0.0;  ///< part of the external work that increments longer than 1/steps may miss; 0: none are
   double residual_tolerance = 1e-8;
   double correction_tolerance = 1e-5;
   int min_iterations = 0;

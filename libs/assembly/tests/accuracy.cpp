@@ -1,0 +1,59 @@
+// Increments whose size follows from what the energy balance may miss.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "small_models.hpp"
+
+namespace cleft::assembly {
+namespace {
+
+struct Ride {
+  std::vector<double> loads;
+  double missed = 0.0;  // of the external work
+  Vec2 force;
+};
+
+Ride ride(double accuracy, int steps, std::vector<double> kinks = {}) {
+  const Model model = models::block(8, contact::NegativeSide::Left);
+  StepControls controls = models::in_steps(steps, {0.5});
+  controls.accuracy = accuracy;
+  controls.kinks = std::move(kinks);
+  LoadStepper stepper(model, controls);
+  Ride out;
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    if (std::holds_alternative<Failure>(outcome)) {
+      ADD_FAILURE() << describe(std::get<Failure>(outcome));
+      return out;
+    }
+    out.loads.push_back(stepper.state().load);
+  }
+  const auto& energies = stepper.state().energies;
+  out.missed = std::fabs(energies.imbalance()) / energies.external_work;
+  out.force = stepper.reactions()[1];
+  return out;
+}
+
+TEST(Accuracy, IsKeptWithAsFewIncrementsAsItAllows) {
+  const Ride fine = ride(0.0, 200);
+  std::size_t fewest = fine.loads.size();
+  for (const double accuracy : {1e-4, 1e-3, 1e-2}) {
+    const Ride r = ride(accuracy, 50);
+    EXPECT_LE(r.missed, accuracy);
+    EXPECT_LT(r.loads.size(), fewest) << accuracy;
+    EXPECT_LT((r.force - fine.force).norm(), accuracy * fine.force.norm());
+    fewest = r.loads.size();
+  }
+  EXPECT_LE(fewest, 15u);
+}
+
+TEST(Accuracy, StillHitsOutputsAndTurnsOfTheLoad) {
+  const Ride r = ride(1e-2, 20, {0.37});
+  for (const double load : {0.37, 0.5, 1.0}) EXPECT_NE(std::find(r.loads.begin(), r.loads.end(), load), r.loads.end());
+  const Ride equal = ride(0.0, 4, {0.37});
+  EXPECT_NE(std::find(equal.loads.begin(), equal.loads.end(), 0.75), equal.loads.end());
+}
+
+}  // namespace
+}  // namespace cleft::assembly
