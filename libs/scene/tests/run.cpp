@@ -241,7 +241,8 @@ TEST(Run, RepeatsToTheLastBitAndHardlyDependsOnTheNumberOfThreads) {
   EXPECT_EQ(read_bytes(folder / "two/history.csv"), (history("twice", 2), read_bytes(folder / "twice/history.csv")));
   for (const char* name : {"fx_top", "fy_top", "max_slip"}) {
     const auto a = one.column(name), b = two.column(name);
-    ASSERT_EQ(a.size(), 5u);
+    ASSERT_GE(a.size(), 5u);
+    ASSERT_EQ(a.size(), b.size());
     for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-10 * std::fabs(a[k])) << name;
   }
 }
