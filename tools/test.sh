@@ -6,5 +6,9 @@ build all
 # the pages of `cleft report` are tried in a browser
 install_missing_packages chromium chromium-driver python3-selenium
 
+say "building the documentation, and running the commands that it and README.md give"
+tools/docs/build.sh
+python3 tools/docs/run_commands.py
+
 say "running the tests"
 ctest --test-dir build/release --output-on-failure -j2

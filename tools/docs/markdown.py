@@ -10,8 +10,8 @@ PROGRAM = "build/release/bin/cleft"
 
 # $$ ... $$ (2.3), on lines of their own
 EQUATION = re.compile(r"^\$\$(?P<formula>.+?)\$\$ \((?P<number>\d+\.\d+)\)$", re.MULTILINE | re.DOTALL)
-# (2.3) in a sentence
-MENTION = re.compile(r"(?<![\w\[])\((\d+\.\d+)\)(?!\()")
+# (2.3) in a sentence, or what is code or a formula
+MENTION = re.compile(r"`[^`]*`|\$[^$]*\$|\((\d+\.\d+)\)")
 LANGUAGES = {".cpp": "cpp", ".hpp": "cpp", ".toml": "toml", ".txt": "cmake", ".py": "python"}
 
 
@@ -40,6 +40,8 @@ def number_equations(text, here=frozenset()):
 
     def link(match):
         number = match[1]
+        if number is None:
+            return match[0]
         if number not in there | here:
             raise Mistake(f"there is no equation ({number})")
         return f"[({number})]({'' if number in here else 'theory.html'}#eq-{number})"
@@ -80,7 +82,7 @@ def keys():
         own = [row for row in rows if row[0].split(".")[0] == top]
         head = next((row for row in own if row[0] == top), None)
         if head and len(own) == 1 and top not in sections:
-            out.append(f"## {top}\n\n{head[1]}: {head[2]}\n")
+            out.append(f"## {top}\n\n{head[1]}: {head[2]}\n\n")
             continue
         out.append(f"## {top}\n\n" + (f"{head[1]}: {head[2]}\n\n" if head else ""))
         out.append("| key | type | meaning |\n| --- | --- | --- |\n")

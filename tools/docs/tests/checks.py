@@ -49,10 +49,11 @@ class Equations(Files):
         self.assertIn("(9.9)", wrong[0])
 
     def test_numbers_are_anchors_and_links(self):
-        text = markdown.number_equations("By\n\n$$a = b$$ (99.1)\n\nand (99.1) and (1.1).\n", {"99.1"})
+        text = markdown.number_equations("By\n\n$$a = b$$ (99.1)\n\nand (99.1), (1.1) and `code (9.9)`.\n", {"99.1"})
         self.assertIn("{.equation #eq-99.1}", text)
         self.assertIn("and [(99.1)](#eq-99.1)", text)
         self.assertIn("[(1.1)](theory.html#eq-1.1)", text)
+        self.assertIn("`code (9.9)`", text)
 
     def test_a_number_twice_or_of_nothing_is_refused(self):
         with self.assertRaises(markdown.Mistake):
