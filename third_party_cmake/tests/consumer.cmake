@@ -1,4 +1,5 @@
-# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DSCENE=<scene file> -DGENERATOR= -DCOMPILER= -DBUILD_TYPE= -DFLAGS= -P consumer.cmake
+# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DSCENE=<scene file> -DGENERATOR= -DCOMPILER= -DBUILD_TYPE= -DFLAGS=
+#   -P consumer.cmake
 # Installs the build tree, then configures, builds and runs the project `consumer` on what was installed.
 
 cmake_minimum_required(VERSION 3.25)

@@ -6,11 +6,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 install_missing_packages pandoc doxygen
 build cleft
 
-python3 tools/docs/check_equations.py
+/usr/bin/python3 tools/docs/check_equations.py
 say "writing the pages"
-python3 tools/docs/make_pages.py build/docs/html
+/usr/bin/python3 tools/docs/make_pages.py build/docs/html
 say "writing the reference of the libraries"
 rm -rf build/docs/html/api
 doxygen tools/docs/Doxyfile
-python3 tools/docs/check_links.py build/docs/html
+/usr/bin/python3 tools/docs/check_links.py build/docs/html
 say "read build/docs/html/index.html"

@@ -4,7 +4,7 @@
 #include <cleft/scene/read.hpp>
 #include <cstdio>
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace cleft;
   if (argc != 2) return 2;
   const scene::Scene scene = scene::read_scene(argv[1], {"loading.steps=4"});
@@ -25,4 +25,7 @@ int main(int argc, char** argv) {
     pressed = pressed || point.pressure > 0.0;
   }
   return pressed ? 0 : 1;
+} catch (const std::exception& error) {  // InputError: file, line, key and what is allowed
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }
