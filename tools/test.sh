@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests, those of the libraries with sanitizers first.
+# Builds everything, the documentation as well, and runs all tests, those of the libraries with sanitizers first.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 tools/sanitize.sh
 build all
 # the pages of `cleft report` are tried in a browser
 install_missing_packages chromium chromium-driver python3-selenium
+
+say "building the documentation, and running the commands that it and README.md give"
+tools/docs/build.sh
+/usr/bin/python3 tools/docs/run_commands.py
 
 say "running the tests"
 ctest --test-dir build/release --output-on-failure -j2

@@ -1,4 +1,5 @@
-# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DGENERATOR= -DCOMPILER= -DBUILD_TYPE= -DFLAGS= -P consumer.cmake
+# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DSCENE=<scene file> -DGENERATOR= -DCOMPILER= -DBUILD_TYPE= -DFLAGS=
+#   -P consumer.cmake
 # Installs the build tree, then configures, builds and runs the project `consumer` on what was installed.
 
 cmake_minimum_required(VERSION 3.25)
@@ -17,4 +18,5 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G $
   -DCMAKE_PREFIX_PATH=${WORK}/prefix
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer)
+run(${WORK}/build/consumer ${SCENE})
+run(${WORK}/build/by_hand)

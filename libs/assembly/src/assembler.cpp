@@ -188,7 +188,7 @@ constitutive::Response Assembler::respond(const Law& law, const Mat2& deformatio
     return law.respond(deformation);
 }
 
-// False where the point is turned inside out.
+// theory (1.3), (1.4). False where the point is turned inside out.
 template <class Law, class Point, std::size_t unknowns>
 bool Assembler::add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                           const Point& point, double weight, const Places<unknowns>& places) {
@@ -208,8 +208,9 @@ bool Assembler::add_point(const Law& law, const VecX& displacement, const Histor
   return true;
 }
 
-// With P = Pbar/stretch, dP = A : dF + q/2 (d ln J_P - F^-T : dF), q = A : F - Pbar/stretch (small strain: A : 1): a
-// cell's own tangent less its share of the change of volume, and a term of rank one over both cells of the patch.
+// theory (1.7): with P = Pbar/stretch, dP = A : dF + q/2 (d ln J_P - F^-T : dF), q = A : F - Pbar/stretch (small
+// strain: A : 1): a cell's own tangent less its share of the change of volume, and a term of rank one over both cells
+// of the patch.
 template <class Law>
 bool Assembler::add_patched(const Law& law, const VecX& displacement, const History& history, Index number) {
   using Vec4 = Eigen::Vector4d;
@@ -282,6 +283,7 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
                                         : "smaller increments (loading.steps), or a finer mesh there"};
 }
 
+// theory (3.1)
 void Assembler::add_ties(const VecX& displacement) {
   const PhaseTimer timer(seconds_.bulk);
   for (const auto& tie : model_.ties) {

@@ -121,6 +121,7 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip));
 }
 
+// theory (10.6)
 Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
   constexpr double kBlunt = 2.0;     // blunt functions: nearer the jump is not that of the singular field

@@ -275,6 +275,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
                             "a softer penalty"};
       return out;
     }
+    // theory (9.2)
     if (in_place && i >= controls.min_iterations &&
         (residual <= floor ||
          (it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance))) {
@@ -305,7 +306,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     VecX du;
     const Factors factors = it.kept ? Factors::Regular : solver.factorise(assembler.matrix());
     if (factors != Factors::None) du = solver.solve(assembler.matrix(), rhs);
-    if (factors != Factors::None && along_path) {
+    if (factors != Factors::None && along_path) {  // theory (9.4)
       const VecX along = solver.solve(assembler.matrix(), by_load);
       const double missing = goal.stretch - state.progress.dot(u + du - state.displacement);
       const double change_of_load = missing / state.progress.dot(along);

@@ -46,6 +46,7 @@ std::vector<Index> pair_cells(const Model& model) {
   return mate;
 }
 
+// theory (1.6)
 PatchedCell patched(const Model& model, Index cell, const VecX& displacement) {
   const auto& own = model.cells[cell];
   const auto& other = model.cells[model.mate[cell]];

@@ -2,6 +2,7 @@
 
 namespace cleft::assembly {
 
+// theory (9.3)
 VecX path_progress(const Model& model, const State& before, const VecX& displacement,
                    const std::vector<constitutive::PlasticState>& plastic) {
   const VecX moved = displacement - before.displacement;

@@ -219,6 +219,7 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
       failed = false;
       continue;
     }
+    // theory (10.7)
     state_.energies.released += state_.energies.imbalance() - unexplained;
     out.cuts = cuts;
     out.iterations_before = iterations_before;

@@ -15,7 +15,7 @@ double apex_stiffness(const DruckerPrager& m, double drag) {
 }
 double smooth_stiffness(const DruckerPrager& m, double drag) { return 2.0 * m.constants.mu + apex_stiffness(m, drag); }
 
-// The derivative of the smooth return, s = (1 - removed) s_tr; continued flow is removed = 0.
+// theory (5.7): the derivative of the smooth return, s = (1 - removed) s_tr; continued flow is removed = 0.
 Moduli smooth_moduli(const DruckerPrager& m, double removed, double drag) {
   const double K = bulk_modulus(m.constants), two_mu = 2.0 * m.constants.mu;
   const double by_shear = 1.0 / smooth_stiffness(m, drag);  // d dgamma / d|s_tr|
@@ -46,10 +46,12 @@ bool always_returns(const DruckerPrager& m) {
   return m.friction > 0.0 && m.cohesion >= 0.0 && m.dilatancy > 0.0;
 }
 
+// theory (5.1)
 double yield_function(const DruckerPrager& m, double pressure, double shear, double accumulated) {
   return shear + m.friction * pressure - (m.cohesion + m.hardening * accumulated);
 }
 
+// theory (5.4), (5.5)
 Return return_to_cone(const DruckerPrager& m, double pressure, double shear, double accumulated, double duration) {
   Return out;
   const double drag = drag_of(m, duration);
@@ -86,6 +88,7 @@ Moduli continuum_moduli(const DruckerPrager& m, Branch branch) {
   return {.lambda = m.constants.lambda, .mu = m.constants.mu};
 }
 
+// theory (5.2), (5.9)
 PlasticStep plastic_step(const DruckerPrager& m, const PlaneTensor& trial_strain, double accumulated, double duration) {
   const PlaneTensor shape = deviator(trial_strain);
   const double size = std::sqrt(contract(shape, shape)), two_mu = 2.0 * m.constants.mu;

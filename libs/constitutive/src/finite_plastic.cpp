@@ -23,7 +23,7 @@ Mat2 plane_part(const PlasticState& state) {
 // ln det(1 + a)
 double log_det_of_one_plus(const Mat2& a) { return std::log1p(a(0, 0) + a(1, 1) + det(a)); }
 
-// From b^e - 1, which for small strains of both kinds keeps the digits that b^e would round away.
+// theory (5.3), from b^e - 1, which for small strains of both kinds keeps the digits that b^e would round away.
 ElasticDeformation elastic_deformation(const Mat2& F, const PlasticState& state) {
   const Mat2 H = F - Mat2::Identity(), plastic = plane_part(state);
   const Mat2 offset = H + H.transpose() + H * H.transpose() + F * plastic * F.transpose();
@@ -53,7 +53,8 @@ Mat2 inverse(const Mat2& a) {
   return m / det(a);
 }
 
-// C^p^-1 moves by F^-1 (b^e - b^e_trial) F^-T, so that small increments are added and not differences of large numbers.
+// theory (5.3): C^p^-1 moves by F^-1 (b^e - b^e_trial) F^-T, so that small increments are added and not differences of
+// large numbers.
 void relax(PlasticState& state, const Mat2& F_inverse, const ElasticDeformation& trial, const PlaneTensor& increment) {
   const PlaneTensor x = relaxation_of(increment);
   const Vec2& w = trial.shape.w;
@@ -67,7 +68,7 @@ void relax(PlasticState& state, const Mat2& F_inverse, const ElasticDeformation&
   state.deformation[3] += (1.0 + state.deformation[3]) * x.normal;
 }
 
-// a_ijkl - tau_il delta_jk
+// a_ijkl - tau_il delta_jk of theory (1.5)
 Mat4 with_geometric_part(Mat4 rate, const Mat2& tau) {
   for (int j = 0; j < 2; ++j)
     for (int l = 0; l < 2; ++l) rate.block<2, 1>(2 * j, j + 2 * l) -= tau.col(l);

@@ -15,6 +15,7 @@ struct Parts {
   Vec4 conformal_gradient, anticonformal_gradient;  // dR/dF, dQ/dF
 };
 
+// theory (4.2)
 Parts split(const Mat2& F) {
   const double p1 = 0.5 * (F(0, 0) + F(1, 1)), p2 = 0.5 * (F(1, 0) - F(0, 1));
   const double q1 = 0.5 * (F(0, 0) - F(1, 1)), q2 = 0.5 * (F(1, 0) + F(0, 1));
@@ -31,6 +32,7 @@ SquaredLogRatio squared_log_ratio(double r) {
   return {4.0 * r * A * A, 4.0 * A * c, 4.0 * c * (slope + A * c)};
 }
 
+// theory (4.3)
 double Hencky::energy(const Mat2& deformation) const {
   const Parts s = split(deformation);
   const double log_j = std::log(s.conformal - s.anticonformal);
@@ -38,6 +40,7 @@ double Hencky::energy(const Mat2& deformation) const {
          0.5 * constants.mu * squared_log_ratio(s.anticonformal / s.conformal).value;
 }
 
+// theory (4.4), (4.5)
 Response Hencky::respond(const Mat2& deformation) const {
   const Parts s = split(deformation);
   const double J = s.conformal - s.anticonformal;

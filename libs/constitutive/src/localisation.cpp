@@ -70,7 +70,7 @@ Polynomial acoustic_quartic(const Mat4& c) {
   return p;
 }
 
-// The numerator of the derivative of P/(1 + t^2)^2; its fifth power cancels.
+// theory (5.11), the numerator of the derivative of P/(1 + t^2)^2; its fifth power cancels.
 Polynomial stationarity(const Polynomial& p) {
   return {p[1], 2.0 * p[2] - 4.0 * p[0], 3.0 * p[3] - 3.0 * p[1], 4.0 * p[4] - 2.0 * p[2], -p[3]};
 }
@@ -98,6 +98,7 @@ void add_chart(const Polynomial& p, bool steep, Candidates& candidates) {
   }
 }
 
+// theory (5.10)
 Localisation normalised(const Lame& constants, const ContinuumTangent& tangent) {
   switch (tangent.branch) {
     case Branch::Elastic:

@@ -10,6 +10,7 @@ double NeoHookean::energy(const Mat2& deformation) const {
          0.5 * constants.lambda * log_j * log_j;
 }
 
+// theory (4.6)
 Response NeoHookean::respond(const Mat2& deformation) const {
   const auto& F = deformation;
   const double J = det(F);

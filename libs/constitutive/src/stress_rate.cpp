@@ -2,6 +2,7 @@
 
 namespace cleft::constitutive {
 
+// theory (5.6), (5.8)
 Mat4 stress_rate(const Moduli& moduli, const PlaneTensor& n, const CircleShape& shape) {
   using Row = Eigen::RowVector4d;  // a linear function of (g_11, g_21, g_12, g_22)
   const Row volume(1, 0, 0, 1), lean(1, 0, 0, -1), shear(0, 1, 1, 0), spin(0, 1, -1, 0);

@@ -30,7 +30,7 @@ Place walk(const Surfaces& surfaces, const FacePositions& at, Index from, const 
   }
 }
 
-// Where the tangential gap is `target`.
+// theory (7.3): where the tangential gap is `target`.
 Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, double target) {
   if (surfaces.undeformed) return {pair.partner_face, anchor_place_at(surfaces, at, p, target)};
   const Point& point = surfaces.points[p];
@@ -47,6 +47,7 @@ double mean(double a, double b) { return 0.5 * (a + b); }
 
 }  // namespace
 
+// theory (7.7)
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
   const Point& point = surfaces.points[p];
   const Law& law = surfaces.laws[surfaces.faces[point.face].crack];

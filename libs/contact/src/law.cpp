@@ -4,6 +4,7 @@
 
 namespace cleft::contact {
 
+// theory (7.1), (7.2)
 Traction traction(const Law& law, double normal_gap, double tangential_gap, bool anchored, Touch touch) {
   // A point that was in touch and sits at the rounding of zero keeps its stiffness, so that closed faces at rest are
   // closed.

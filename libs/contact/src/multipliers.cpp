@@ -11,7 +11,7 @@ constexpr double kCover = 0.25;
 
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
 
-// kappa_e l_e / 12 and its derivative with regard to what is covered.
+// kappa_e l_e / 12 of theory (8.4), and its derivative with regard to what is covered.
 struct Compliance {
   double value = 0.0, by_cover = 0.0;
 };
@@ -83,6 +83,7 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
   for (Index i = 0; i < count; ++i) judge(surfaces, i, memory);
 }
 
+// theory (8.3)
 void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory) {
   const auto& hats = surfaces.hats;
   const auto& node = hats.nodes[i];
@@ -163,6 +164,7 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
   }
 }
 
+// theory (8.1)
 Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta) const {
   const auto& hats = surfaces.hats;
   const Strip& strip = hats.strip_at(face, eta);
@@ -193,6 +195,7 @@ HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at
   return out;
 }
 
+// theory (8.5)
 double stored_energy(const Surfaces& surfaces, const HatMemory& memory) {
   double out = 0.0;
   const auto& hats = surfaces.hats;

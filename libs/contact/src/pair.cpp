@@ -21,8 +21,8 @@ Frame frame(const PairPoints& p, const PairConstants& c) {
   return {p.negative_start + c.eta * along, t, c.normal_sign * turn_left(t), length};
 }
 
-// Length of the share that lies on the near side of the mouth as seen along the positive face, over the whole share,
-// before clamping to [0, 1].
+// theory (6.5): length of the share that lies on the near side of the mouth as seen along the positive face, over the
+// whole share, before clamping to [0, 1].
 double covered(const PairPoints& p, const PairConstants& c, const Frame& f) {
   const double overrun = -c.mouth * (f.y - p.mouth).dot(f.t);
   const double inner = (c.mouth > 0 ? c.share_end - c.eta : c.eta - c.share_begin) * f.length;
@@ -31,6 +31,7 @@ double covered(const PairPoints& p, const PairConstants& c, const Frame& f) {
 
 }  // namespace
 
+// theory (6.1), (6.3)
 PairState evaluate(const PairPoints& p, const PairConstants& c) {
   const Frame f = frame(p, c);
   const Vec2 e = p.positive_end - p.positive_start;
@@ -47,6 +48,7 @@ PairState evaluate(const PairPoints& p, const PairConstants& c) {
   return s;
 }
 
+// theory (7.4) to (7.6)
 PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s) {
   const Frame f = frame(p, c);
   const Vec2 e = p.positive_end - p.positive_start;

@@ -82,7 +82,7 @@ struct Opposite {
   }
 };
 
-// What is integrated along a piece: sums over its points.
+// What is integrated along a piece, theory (8.2): sums over its points.
 class Integral {
  public:
   Integral(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
@@ -212,7 +212,7 @@ class Integral {
     out_.node_by.block<1, 2>(k - kGapOutput, kAnchorInput + 2) += share.value * place * faces_.t.transpose();
   }
 
-  // The normal traction presses both faces alike, the tangential ones are opposite.
+  // theory (8.6): the normal traction presses both faces alike, the tangential ones are opposite.
   void add_difference(int k, const Moved& share, const Opposite& at, const std::array<double, 2>& hat,
                       const Vec2& traction) {
     const double second = other_hat_.at(at.xi.value);

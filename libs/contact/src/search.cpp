@@ -33,7 +33,7 @@ PointRay ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, doub
           surfaces.faces[point.face].crack};
 }
 
-// Where the ray's line meets the line of a face, if that face looks at the ray.
+// theory (6.1): where the ray's line meets the line of a face, if that face looks at the ray.
 bool meets(const Surfaces& surfaces, const FacePositions& at, const PointRay& ray, Index f, double& xi, double& gap) {
   const Vec2 e = at.end[f] - at.start[f];
   const double et = e.dot(ray.t);
@@ -97,7 +97,7 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
   }
   grid_.build(partner_start_, partner_end_);
 
-  const double radius =
+  const double radius =  // theory (6.2)
       surfaces.search_radius > 0.0 ? surfaces.search_radius : std::max(5.0 * surfaces.element_size, 10.0 * deepest);
   const auto nearest = [&](PointRay ray, double reach) {
     ray.reach = reach;

@@ -25,6 +25,7 @@ Vec2 jump(const Surfaces& surfaces, const FacePositions& at, Index p) {
 
 }  // namespace
 
+// theory (6.4)
 Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];

@@ -4,6 +4,7 @@
 
 namespace cleft::enrichment {
 
+// theory (2.5)
 Branches branches(const geometry::TipPolar& at, double blunting) {
   Branches out;
   if (at.r == 0.0) {
@@ -23,6 +24,7 @@ Branches branches(const geometry::TipPolar& at, double blunting) {
   return out;
 }
 
+// theory (2.7)
 Cutoff cutoff(double r, double plateau, double radius) {
   if (r <= plateau) return {1.0, 0.0};
   if (r >= radius) return {0.0, 0.0};

@@ -57,7 +57,7 @@ class Ties {
   }
 
  private:
-  // All edges of one side of a cut triangle.
+  // All edges of one side of a cut triangle, with the strength of theory (3.2).
   void tie(const CutElement& element, Side side, double strength) {
     for (int k = 0; k < 3; ++k) {
       const bool on_side = element.node_side[k] == side || element.node_side[(k + 1) % 3] == side;

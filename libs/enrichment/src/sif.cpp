@@ -61,6 +61,7 @@ Intensities intensities_of_amplitudes(const geometry::TipBall& ball, const std::
   return {second.y(), second.x()};
 }
 
+// theory (10.5)
 Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const std::vector<TipPoint>& points,
                                  const std::function<PointState(const TipPoint&)>& state,
                                  const std::vector<FacePiece>& faces, const PlaneStrain& body) {

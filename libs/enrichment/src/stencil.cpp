@@ -24,6 +24,7 @@ Face make_face(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const U
 
 }  // namespace
 
+// theory (2.4)
 std::vector<Cell> make_cells(const geometry::Mesh& mesh, const geometry::CutMesh& cut, const Unknowns& unknowns) {
   std::vector<Cell> cells;
   cells.reserve(mesh.triangles.size() + cut.elements.size());

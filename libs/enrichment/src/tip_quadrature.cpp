@@ -69,8 +69,9 @@ constexpr std::array<GaussPoint, 5> kGauss{{{0.046910077030668, 0.11846344252809
                                             {0.7692346550528415, 0.2393143352496832},
                                             {0.953089922969332, 0.1184634425280945}}};
 
-// The tip is corner 0: x = tip + r [(1 - s) (a - tip) + s (b - tip)], dA = 2 Area r dr ds. With r = p^2 the integrand,
-// r^(-1), r^(-1/2), 1 ... times r, is a polynomial of p. In s it is smooth where a-b is seen under no large angle.
+// theory (2.8). The tip is corner 0: x = tip + r [(1 - s) (a - tip) + s (b - tip)], dA = 2 Area r dr ds. With r = p^2
+// the integrand, r^(-1), r^(-1/2), 1 ... times r, is a polynomial of p. In s it is smooth where a-b is seen under no
+// large angle.
 void place_polar(const Corners& t, int depth, Points& points) {
   const Vec2 &tip = t[0], &a = t[1], &b = t[2];
   if ((b - a).norm() > kLargest * distance(a, b, tip) && depth < kDeepest) {

@@ -29,6 +29,7 @@ TipTriangle::TipTriangle(const geometry::Mesh& mesh, const geometry::CutMesh& cu
   for (int a = 0; a < kBranches; ++a) unknown_[3 + a] = unknowns.amplitude(cut.tip_of_element[element], a);
 }
 
+// theory (2.6)
 TipTriangle::Local TipTriangle::at(const Vec2& point) const {
   Local out;
   const auto N = geometry::shape_values(mesh_, element_, point);

@@ -6,6 +6,7 @@
 
 namespace cleft::enrichment {
 
+// theory (2.2)
 Unknowns number_unknowns(const geometry::Mesh& mesh, const geometry::CutMesh& cut) {
   Unknowns out;
   out.nodes = static_cast<Index>(mesh.nodes.size());
@@ -42,6 +43,7 @@ Index add_multipliers(Unknowns& unknowns, Index count) {
   return first;
 }
 
+// theory (2.3)
 Index side_unknown(const Unknowns& unknowns, const geometry::Mesh& mesh, const geometry::CutElement& element,
                    int corner, geometry::Side side) {
   const Index node = mesh.triangles[element.element][corner];

@@ -4,6 +4,7 @@
 
 namespace cleft::growth {
 
+// theory (10.8)
 double next_look(const Bracket& b, double tolerance, bool halve) {
   const double width = b.high - b.low;
   const double crossing = b.low + width * (1.0 - b.demand_low) / (b.demand_high - b.demand_low);

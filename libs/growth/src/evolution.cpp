@@ -208,8 +208,8 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
   return out;
 }
 
-// The same advances in the mean of the directions that the criterion asked for before them and asks for at their ends.
-// None where no law wants that.
+// theory (10.9): the same advances in the mean of the directions that the criterion asked for before them and asks for
+// at their ends. None where no law wants that.
 std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const {
   auto due = record_.due;
   bool any = false;

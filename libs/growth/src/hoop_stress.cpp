@@ -7,6 +7,7 @@
 
 namespace cleft::growth {
 
+// theory (10.3), (10.4)
 HoopDirection largest_hoop_stress(const enrichment::Intensities& k) {
   const double k1 = std::max(0.0, k.K_I), k2 = k.K_II;
   // tan(t/2), written so that K_II may vanish

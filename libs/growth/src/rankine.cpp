@@ -43,6 +43,7 @@ bool spans_elements(const assembly::Model& model, const TipName& tip, double rad
   return around(model, tip, radius, [](Index, double) {});
 }
 
+// theory (10.1), (10.2)
 Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) const {
   const auto& m = body.model;
   double area = 0.0;

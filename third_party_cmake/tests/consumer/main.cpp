@@ -1,34 +1,31 @@
-// Cuts a square by a crack, presses it together and prints the force: what a program on the installed libraries looks
-// like.
-#include <cleft/assembly/stepping.hpp>
+// consumer SCENE.toml: solves a scene and prints pressure and slip along its cracks at full load.
+#include <cleft/scene/problem.hpp>
+#include <cleft/scene/profile.hpp>
+#include <cleft/scene/read.hpp>
 #include <cstdio>
 
-int main() {
+int main(int argc, char** argv) try {
   using namespace cleft;
-  assembly::Model model;
-  model.mesh = geometry::structured_mesh({0, 0, 1, 1}, {8, 8}, geometry::Diagonal::Right);
-  model.cracks = {{"joint", {{0.0, 0.52}, {1.0, 0.48}}}};
-  model.cut = geometry::cut(model.mesh, model.cracks);
-  model.unknowns = enrichment::number_unknowns(model.mesh, model.cut);
-  model.cells = enrichment::make_cells(model.mesh, model.cut, model.unknowns);
-  model.materials = {constitutive::NeoHookean{constitutive::lame(1e9, 0.3)}};
-  model.surfaces.faces = enrichment::make_faces(model.mesh, model.cut, model.unknowns);
-  model.surfaces.element_size = 0.125;
-  model.surfaces.laws = {{8e9, 8e9, 0.3}};
-  model.surfaces.sides = {contact::NegativeSide::Right};
-  model.surfaces.points = contact::place_points(model.surfaces, 2);
-  const auto hold = [&](const char* on, double down) {
-    model.prescribed.push_back(
-        {on,
-         geometry::boundary_nodes(model.mesh, on),
-         {true, true},
-         [down](const Vec2&, geometry::MaybeSide, double load) { return Vec2(0.0, -down * load); }});
-  };
-  hold("bottom", 0.0);
-  hold("top", 0.01);
-  assembly::LoadStepper stepper(model, {.steps = 2});
-  while (!stepper.done())
-    if (std::holds_alternative<assembly::Failure>(stepper.advance())) return 1;
-  std::printf("force %g N/m\n", stepper.reactions()[1].y());
-  return stepper.reactions()[1].y() < 0.0 ? 0 : 1;
+  if (argc != 2) return 2;
+  const scene::Scene scene = scene::read_scene(argv[1], {"loading.steps=4"});
+  growth::Evolution body = scene::make_evolution(scene, scene::build_model(scene));
+  while (!body.done()) {
+    const auto outcome = body.advance();
+    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      std::fprintf(stderr, "%s\n", assembly::describe(*failure).c_str());
+      return 3;
+    }
+    const auto& step = std::get<growth::Step>(outcome);
+    std::printf("load %.3f after %zu iterations\n", step.load, step.iterations.size());
+  }
+  bool pressed = false;
+  std::printf("crack,s,pressure,slip\n");
+  for (const scene::ProfilePoint& point : scene::profile(body.stepper())) {
+    std::printf("%s,%g,%g,%g\n", scene.cracks[point.crack].name.c_str(), point.s, point.pressure, point.slip);
+    pressed = pressed || point.pressure > 0.0;
+  }
+  return pressed ? 0 : 1;
+} catch (const std::exception& error) {  // InputError: file, line, key and what is allowed
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }

@@ -37,13 +37,13 @@ struct Drawing {
 
 Drawing drawing_of(const Figure& figure, const std::string& name);
 
-/// The colour of a curve's number, as #rrggbb.
+/// The colour of a curve's number, as `#rrggbb`.
 std::string colour(std::size_t number);
 /// Text in single quotes, in which gnuplot interprets nothing.
 std::string in_quotes(const std::string& text);
 /// Commands for the colours of the colour bar, from low to high.
 std::string palette_commands();
-/// These colours as #rrggbb, evenly spaced.
+/// These colours as `#rrggbb`, evenly spaced.
 const std::vector<std::string>& palette();
 
 /// Writes NAME.gp, a script with its data whose first line names its `origin`, for each drawing, and has gnuplot draw
