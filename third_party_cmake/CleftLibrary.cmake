@@ -7,7 +7,7 @@
 # declares library NAME in the folder libs/NAME, with its include/, src/, tests/ and benchmarks/:
 #   cleft_NAME, alias cleft::NAME   static library (interface library without sources), installed and exported
 #   test_NAME                       tests, if CLEFT_TESTS; they see src/ as well, for the private headers
-#   bench_NAME                      benchmarks, if CLEFT_BENCHMARKS
+#   bench_NAME                      benchmarks, if CLEFT_BENCHMARKS; likewise
 # A dependency outside the table of CleftArrows.cmake stops the configuration.
 
 include(${CMAKE_CURRENT_LIST_DIR}/CleftArrows.cmake)
@@ -50,5 +50,8 @@ function(cleft_library name)
   endif()
   if(CLEFT_BENCHMARKS)
     cleft_executable(bench_${name} ${here}/benchmarks benchmarks ${library} ${arg_TEST} benchmark::benchmark_main)
+    if(TARGET bench_${name})
+      target_include_directories(bench_${name} PRIVATE ${here}/src)
+    endif()
   endif()
 endfunction()

@@ -13,9 +13,6 @@ namespace {
 constexpr int kStart = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3;
 constexpr int kUseWorldCommunicator = -987654;
 
-// From so many rows on, nested dissection leaves the faster factors; below, minimum degree costs less itself.
-constexpr Index kDissected = 100'000;
-
 // The manual counts from 1.
 MUMPS_INT& control(DMUMPS_STRUC_C& data, int number) { return data.icntl[number - 1]; }
 MUMPS_INT outcome(const DMUMPS_STRUC_C& data, int number) { return data.infog[number - 1]; }
@@ -69,7 +66,7 @@ void Mumps::analyse(const BlockMatrix& m) {
   d.irn = rows_.data();
   d.jcn = columns_.data();
   std::vector<Index> order;
-  const bool dissected = m.rows() >= kDissected;
+  const bool dissected = m.rows() >= dissected_from_;
   control(d, 7) = dissected ? 1 : 0;
   if (dissected) {
     order = nested_dissection(m);

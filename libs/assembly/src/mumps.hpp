@@ -13,7 +13,11 @@ namespace cleft::assembly {
 /// MUMPS keeps data of its own between calls, so that calls from several threads wait for each other.
 class Mumps {
  public:
-  explicit Mumps(SolverSeconds& seconds) : seconds_(seconds) {}
+  /// From so many rows on, nested dissection leaves the faster factors; below, minimum degree costs less itself.
+  static constexpr Index kDissected = 100'000;
+
+  explicit Mumps(SolverSeconds& seconds, Index dissected_from = kDissected)
+      : seconds_(seconds), dissected_from_(dissected_from) {}
   ~Mumps() { forget(); }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
@@ -27,6 +31,7 @@ class Mumps {
   void analyse(const BlockMatrix& matrix);
 
   SolverSeconds& seconds_;
+  Index dissected_from_;
   std::unique_ptr<DMUMPS_STRUC_C> data_;
   std::vector<MUMPS_INT> rows_, columns_;  // from 1
 };
