@@ -18,7 +18,7 @@ run(${CMAKE_CPACK_COMMAND} -G DEB --config ${BUILD}/CPackConfig.cmake -B ${WORK}
 file(GLOB package ${WORK}/*.deb)
 answer(control dpkg-deb -I ${package})
 demand("${control}" "Package: cleft" "Version: ${VERSION}" "Depends: [^\n]*libc6" "Depends: [^\n]*libumfpack"
-  "Depends: [^\n]*libdmumps|Depends: [^\n]*libmumps" "Depends: [^\n]*libceres" "Recommends: gnuplot-nox"
+  "Depends: [^\n]*libdmumps|Depends: [^\n]*libmumps" "Depends: [^\n]*libspdlog" "Recommends: gnuplot-nox"
   "Suggests: [^\n]*libeigen3-dev")
 
 set(root ${WORK}/root)
@@ -39,10 +39,9 @@ endforeach()
 demand("${manual}" "\\\\-\\\\-resume" "mesh\\.cells" "cleft ${VERSION}")
 
 # bash completes verbs, options and keys, those of cracks by their names in the scene on the line
+set(ENV{PATH} ${root}/usr/bin:$ENV{PATH})
 function(completes line expected)
-  set(ENV{PATH} ${root}/usr/bin:$ENV{PATH})
-  answer(words bash -c "source '${root}/usr/share/bash-completion/completions/cleft'
-    read -ra COMP_WORDS <<< '${line}'; COMP_CWORD=$((\${#COMP_WORDS[@]} - 1)); _cleft; echo \"\${COMPREPLY[*]}\"")
+  answer(words bash ${CMAKE_CURRENT_LIST_DIR}/completes.sh ${root}/usr/share/bash-completion/completions/cleft ${line})
   if(NOT words STREQUAL expected)
     message(FATAL_ERROR "'${line}' is completed to '${words}', not to '${expected}'")
   endif()
