@@ -15,8 +15,9 @@ int dispatch(int argc, char** argv) {
   app.set_version_flag("--version", CLEFT_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 a check did not hold; 2 the scene or the command line is wrong, nothing is written; 3 the "
-      "solution ended before the end of the load, what converged is kept.");
+      "Exit codes: 0 done; 1 a check did not hold; 2 the scene or the command line is\n"
+      "wrong, nothing is written; 3 the solution ended before the end of the load,\n"
+      "what converged is kept.");
   int result = kDone;
   add_init(app, result);
   add_scene(app, result);
