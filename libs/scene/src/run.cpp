@@ -40,12 +40,17 @@ double median(std::vector<double> v) {
 Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
   Checkpoint c = checkpoint_from(read_bytes(path), path);
   const std::string now = solved_json(scene);
-  if (c.scene != now)
-    throw std::runtime_error(
-        fmt::format("{}: the checkpoint belongs to another scene, which differs in {}; run with the keys as before, "
-                    "without --resume, or into another folder",
-                    path, fmt::join(differences(c.scene, now), ", ")));
-  return c;
+  if (c.scene == now) return c;
+  constexpr std::size_t kTold = 8;
+  auto changed = differences(c.scene, now);
+  if (changed.size() > kTold) {
+    changed[kTold] = fmt::format("{} more", changed.size() - kTold);
+    changed.resize(kTold + 1);
+  }
+  throw std::runtime_error(
+      fmt::format("{}: the checkpoint belongs to another scene, which differs in {}; run with the keys as before, "
+                  "without --resume, or into another folder",
+                  path, fmt::join(changed, ", ")));
 }
 
 // Removes what an earlier run left in the folder and this one might not replace: exactly the files that its checkpoint

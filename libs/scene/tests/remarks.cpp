@@ -1,8 +1,10 @@
 // What a scene is remarked on: each remark provoked, with its figure, and absent from a sound scene.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/problem.hpp"
@@ -102,6 +104,26 @@ TEST(Remarks, KeepSilentWithinTheirBounds) {
   EXPECT_EQ(before({"material.poisson=0.495", "formulation.f_bar=true"}), "");
   EXPECT_EQ(before({"material.poisson=0.48"}), "");
   EXPECT_EQ(before({"formulation.tip_enrichment=0.065"}), "");
+}
+
+// What is said of the scenes of verification/ is so; nothing else may be said of them.
+TEST(Remarks, OfTheScenesThatAreSolvedAreTrue) {
+  const std::set<std::string> frictionless{"manufactured_cut", "plate_crack", "slanted_crack"},
+      on_an_edge{"block", "block_yield_finite", "block_yield_small", "s_crack", "wing_crack"};
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CLEFT_SOURCE_DIR "/verification/scenes")) {
+    const std::string name = entry.path().stem();
+    const Scene scene = read_scene(entry.path());
+    for (const auto& remark : remarks(scene, build_model(scene))) {
+      const auto tells = [&](const char* what) { return remark.find(what) != std::string::npos; };
+      EXPECT_TRUE((frictionless.contains(name) && tells("slides without friction")) ||
+                  (on_an_edge.contains(name) && tells("lies inside an element; the cut ends on its edge")) ||
+                  (name == "through_crack" && tells("the normal penalty is 100 times E/h")))
+          << name << ": " << remark;
+    }
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 19u);
 }
 
 TEST(Oscillation, IsWhatAProfileVariesBeyondOneRiseAndOneFall) {
