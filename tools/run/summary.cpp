@@ -81,9 +81,13 @@ std::string finer(const scene::MeshSpec& mesh) {
 std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResult& r, const std::string& directory) {
   constexpr double kUnbalanced = 0.01, kSlow = 1.8;
   constexpr std::size_t kMost = 3;
-  std::vector<std::string> out{fmt::format("`cleft report {}` draws curves, mesh and cracks in one page", directory)};
+  const bool done = r.end == scene::RunResult::End::Done;
+  std::vector<std::string> out;
+  if (!done) out.emplace_back("the message below says why it ended, and how to go on");
+  if (r.increments > 0)
+    out.push_back(fmt::format("`cleft report {}` draws curves, mesh and cracks in one page", directory));
   const std::string more_steps = fmt::format("`--set loading.steps={}`", 2 * scene.loading.steps);
-  if (std::fabs(r.energies.imbalance()) > kUnbalanced * std::fabs(r.energies.external_work))
+  if (done && std::fabs(r.energies.imbalance()) > kUnbalanced * std::fabs(r.energies.external_work))
     out.push_back(fmt::format("the same with {} into another folder: the imbalance of the energy should halve at least",
                               more_steps));
   if (r.cuts > 0)
@@ -92,7 +96,7 @@ std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResu
   if (r.advances > 0) out.emplace_back("growth.csv: load, place and turn of each advance of a tip");
   if (r.newton_order > 0.0 && r.newton_order < kSlow)
     out.push_back(fmt::format("`cleft newton {}` tells which increments converge slowly", directory));
-  if (const std::string set = finer(scene.mesh); !set.empty())
+  if (const std::string set = finer(scene.mesh); done && !set.empty())
     out.push_back(fmt::format("the same with `{}` into another folder: does the mesh matter?", set));
   if (out.size() > kMost) out.resize(kMost);
   return out;
