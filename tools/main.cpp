@@ -10,10 +10,14 @@ namespace cleft::tools {
 namespace {
 
 int dispatch(int argc, char** argv) {
-  CLI::App app{"cleft: frictional cracks in solids at large deformation"};
+  CLI::App app{"frictional cracks in solids at large deformation"};
   app.name("cleft");
   app.set_version_flag("--version", CLEFT_VERSION);
   app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 a check did not hold; 2 the scene or the command line is\n"
+      "wrong, nothing is written; 3 the solution ended before the end of the load,\n"
+      "what converged is kept.");
   int result = kDone;
   add_init(app, result);
   add_scene(app, result);
@@ -23,6 +27,7 @@ int dispatch(int argc, char** argv) {
   add_newton(app, result);
   add_tangent(app, result);
   add_report(app, result);
+  add_manual(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -17,5 +17,6 @@ void add_converge(CLI::App& app, int& result);
 void add_init(CLI::App& app, int& result);
 void add_scene(CLI::App& app, int& result);
 void add_report(CLI::App& app, int& result);
+void add_manual(CLI::App& app, int& result);
 
 }  // namespace cleft::tools

@@ -6,6 +6,7 @@
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/read.hpp"
+#include "text.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -16,7 +17,7 @@ struct Options {
   std::vector<std::string> overrides;
 };
 
-void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, value); }
+void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, folded(value, 25)); }
 
 std::string switched_on(const scene::Scene& scene, const assembly::Model& model) {
   const bool small = model.is_small_strain();
@@ -48,6 +49,57 @@ std::string describe(const growth::Law& law) {
 std::string name_of(const scene::MaterialSpec::Region& region) {
   if (region.crack.empty()) return "region " + region.name;
   return fmt::format("the body {} of crack {}", region.side == geometry::Side::Left ? "left" : "right", region.crack);
+}
+
+std::string describe(const scene::MaterialSpec& m) {
+  std::string out = fmt::format("{}, E {:.6g} Pa, nu {:.6g}", m.model, m.young, m.poisson);
+  if (m.model == "j2") out += fmt::format(", yield stress {:.6g} Pa", m.yield_stress);
+  if (m.model == "drucker-prager")
+    out += fmt::format(", cohesion {:.6g} Pa, friction {:.6g}, dilatancy {:.6g}", m.cohesion, m.friction, m.dilatancy);
+  if (scene::is_plastic(m)) out += fmt::format(", hardening {:.6g} Pa", m.hardening);
+  if (scene::is_viscous(m)) out += fmt::format(", viscosity {:.6g} Pa", m.viscosity);
+  return out + (m.region ? " in " + name_of(*m.region) : "");
+}
+
+// With the factor over the load, unless it is the load itself.
+std::string with(const scene::Amplitude& amplitude, const std::string& what) {
+  if (amplitude.points == scene::Amplitude{}.points) return what;
+  std::vector<std::string> points;
+  for (const auto& [load, factor] : amplitude.points) points.push_back(fmt::format("{:g} at load {:g}", factor, load));
+  return fmt::format("{}, times {}", what, fmt::join(points, ", "));
+}
+
+std::string describe(const scene::BoundarySpec& b) {
+  std::vector<std::string> parts;
+  const auto component = [&](const char* name, const std::optional<double>& value) {
+    if (value) parts.push_back(fmt::format("{} = {:.6g} m", name, *value));
+  };
+  component("ux", b.ux);
+  component("uy", b.uy);
+  if (b.affine) {
+    const Mat2& a = *b.affine;
+    parts.push_back(fmt::format("u = [[{:g}, {:g}], [{:g}, {:g}]] X", a(0, 0), a(0, 1), a(1, 0), a(1, 1)));
+  }
+  if (b.field) parts.push_back("field " + b.field->name);
+  if (b.rotation)
+    parts.push_back(
+        with(b.rotation->amplitude, fmt::format("turned by {:g} degrees around ({:g}, {:g})", b.rotation->degrees,
+                                                b.rotation->center.x(), b.rotation->center.y())));
+  return b.name + ": " + with(b.amplitude, fmt::format("{}", fmt::join(parts, ", ")));
+}
+
+void print_loads(const scene::Scene& scene) {
+  for (const auto& b : scene.boundaries) print("boundary", describe(b));
+  for (const auto& t : scene.tractions)
+    print("traction",
+          fmt::format("{}: {}", t.on, with(t.amplitude, fmt::format("({:.6g}, {:.6g}) Pa", t.value.x(), t.value.y()))));
+  if (const auto& g = scene.gravity)
+    print("gravity", with(g->amplitude, fmt::format("({:.6g}, {:.6g}) m/s^2, {:.6g} kg/m^3", g->value.x(), g->value.y(),
+                                                    g->density)));
+  const auto& loading = scene.loading;
+  print("increments",
+        fmt::format("{}, outputs at {}", loading.steps,
+                    loading.every_step ? "every one" : fmt::format("{}", fmt::join(loading.outputs, ", "))));
 }
 
 int check(const Options& options) {
@@ -87,14 +139,18 @@ int check(const Options& options) {
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
-  for (const auto& note : scene::remarks(scene, model)) print("note", note);
   const bool small = scene.kinematics == scene::Kinematics::Small;
   print("kinematics", small ? "small" : "finite");
-  for (const auto& m : scene.materials) print("material", m.model + (m.region ? " in " + name_of(*m.region) : ""));
+  for (const auto& m : scene.materials) print("material", describe(m));
+  print_loads(scene);
   print("switched on", switched_on(scene, model));
   const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
-  print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (UMFPACK)",
+  print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (MUMPS)",
                                      model.is_linear() ? ", one for all loads" : ""));
+  const auto notes = scene::remarks(scene, model);
+  for (const auto& note : notes) print("note", note);
+  print("sound", notes.empty() ? "nothing stands against solving this scene"
+                               : "nothing stands against solving this scene; mind the notes");
   return kDone;
 }
 

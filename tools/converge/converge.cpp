@@ -33,8 +33,9 @@ void print(const scene::Study& study, const verify::StudyResult& result) {
     }
     const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
     if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
-    fmt::print("  order {}{}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
-               s.fit.determined ? "" : "  NOT DETERMINED: ", s.fit.determined ? "" : s.fit.remark);
+    fmt::print("  order {}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
+               s.fit.determined ? "" : "  NOT DETERMINED");
+    if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
   }
 }
 

@@ -11,6 +11,8 @@
 #include <cstdio>
 
 #include "cleft/scene/read.hpp"
+#include "run/summary.hpp"
+#include "text.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -20,41 +22,48 @@ std::atomic<bool> interrupted = false;
 
 void on_interrupt(int) { interrupted = true; }
 
-std::string duration(double seconds) {
-  return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+// With the time before it a line of 80 columns.
+const char* const kHead = "    load increment iterations cuts residual contact  elapsed    to go";
+
+std::string line_of(const scene::Progress& p) {
+  return fmt::format("{:8.4f} {:9} {:10} {:4} {:8.1e} {:7} {:>8} {:>8}", p.load, p.increment, p.iterations, p.cuts,
+                     p.residual, p.contact_points, duration(p.elapsed), duration(p.rest));
 }
 
-void show(const scene::Progress& p, bool live) {
-  const std::string line = fmt::format(
-      "load {:7.4f}  increment {:4}  iterations {:5}  cuts {:2}  residual {:8.1e}  contact {:5}  {:>8}, {} to go",
-      p.load, p.increment, p.iterations, p.cuts, p.residual, p.contact_points, duration(p.elapsed), duration(p.rest));
-  if (live)
-    fmt::print(stderr, "\r\x1b[K{}{}", line, p.iteration > 0 ? fmt::format("  it {}", p.iteration) : "");
-  else if (p.iteration == 0)
-    spdlog::info(line);
-}
+// Tells on stderr how a run goes: a line that is written over on a terminal, a line an increment elsewhere.
+class Reporter {
+ public:
+  Reporter() {
+    auto sink = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();  // which colours a terminal only
+    sink->set_color(spdlog::level::info, "");
+    if (!takes_colour(STDERR_FILENO)) sink->set_color_mode(spdlog::color_mode::never);
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>("cleft", sink));
+    spdlog::set_pattern("%T  %^%v%$");
+  }
+  void show(const scene::Progress& p) {
+    if (!headed_ && live_) fmt::print(stderr, "{}\n", kHead);
+    if (!headed_ && !live_) spdlog::info(kHead);
+    headed_ = true;
+    under_way_ = live_;
+    if (live_)
+      fmt::print(stderr, "\r\x1b[K{}{}", line_of(p), p.iteration > 0 ? fmt::format("  it {}", p.iteration) : "");
+    else if (p.iteration == 0)
+      spdlog::info(line_of(p));
+  }
+  void say(spdlog::level::level_enum level, const std::string& text) {
+    end_line();
+    constexpr std::size_t kTime = 10;  // its columns
+    spdlog::log(level, folded(text, kTime));
+  }
+  void end_line() {
+    if (under_way_) fmt::print(stderr, "\n");
+    under_way_ = false;
+  }
 
-void print_summary(const scene::RunResult& r, const std::string& directory) {
-  const double per_increment =
-      r.increments > 0 ? static_cast<double>(r.iterations) / static_cast<double>(r.increments) : 0.0;
-  fmt::print("increments {}, iterations {} ({:.2f} an increment), cuts {}, worst residual {:.1e}", r.increments,
-             r.iterations, per_increment, r.cuts, r.worst_residual);
-  if (r.newton_order > 0) fmt::print(", order {:.2f}", r.newton_order);
-  if (r.advances > 0) fmt::print(", advances of tips {}", r.advances);
-  const auto& e = r.energies;
-  fmt::print(
-      "\nenergy, J/m: external work {:.6g} = elastic {:.6g} + plastic {:.6g} + viscous {:.6g} + friction {:.6g} + "
-      "contact {:.6g}{} + imbalance {:.2g} "
-      "({:.4f} %)\n",
-      e.external_work, e.elastic, e.plastic_dissipation, e.viscous_dissipation, e.friction_dissipation, e.contact,
-      e.released != 0.0 ? fmt::format(" + released by growth {:.6g}", e.released) : "", e.imbalance(),
-      e.external_work == 0.0 ? 0.0 : 100.0 * e.imbalance() / e.external_work);
-  fmt::print("time {}, {:.2f} of iterations x (factorisation + solve); {:.2f} us a cell", duration(r.seconds),
-             r.yardstick > 0 ? r.seconds / r.yardstick : 0.0, r.bulk_microseconds);
-  if (r.contact_microseconds > 0) fmt::print(", {:.2f} us a contact point", r.contact_microseconds);
-  fmt::print("; peak memory {:.0f} MB\nresults in {}: history.csv, {}fields.pvd, run.json\n", r.peak_megabytes,
-             directory, r.advances > 0 ? "growth.csv, " : "");
-}
+ private:
+  const bool live_ = isatty(STDERR_FILENO) != 0;
+  bool headed_ = false, under_way_ = false;
+};
 
 struct Options {
   std::string scene;
@@ -65,30 +74,25 @@ struct Options {
 int solve(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   auto run = options.run;
-  spdlog::set_default_logger(spdlog::stderr_color_mt("cleft"));
-  spdlog::set_pattern("%T %^%l%$  %v");
-  const bool live = isatty(STDERR_FILENO) != 0;
-  run.observer = [live](const scene::Progress& p) { show(p, live); };
-  run.remark = [](const std::string& text) { spdlog::info("note: {}", text); };
+  Reporter reporter;
+  run.observer = [&](const scene::Progress& p) { reporter.show(p); };
+  run.remark = [&](const std::string& text) { reporter.say(spdlog::level::info, "note: " + text); };
   run.stop = &interrupted;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto result = scene::run(scene, run);
-  if (live) fmt::print(stderr, "\n");
-  print_summary(result, run.directory);
-  constexpr double kTooDeep = 0.1;
-  if (result.overlap > kTooDeep)
-    spdlog::warn("the crack's faces overlap by {:.2g} element sizes: the penalty is too soft for these loads",
-                 result.overlap);
+  reporter.end_line();
+  print_summary(scene, result, run.directory);
   if (result.end == scene::RunResult::End::Done) return kDone;
   const char* const go_on = result.increments > 0 ? "go on with --resume" : "run again";
   if (result.end == scene::RunResult::End::Stopped)
-    spdlog::warn("interrupted at load {:.6g}; {}", result.load, go_on);
+    reporter.say(spdlog::level::warn, fmt::format("interrupted at load {:.6g}; {}", result.load, go_on));
   else if (result.end == scene::RunResult::End::NotWritten)
-    spdlog::error("stopped at load {:.6g}: {}; mend that and {}", result.load, result.unwritten, go_on);
+    reporter.say(spdlog::level::err,
+                 fmt::format("stopped at load {:.6g}: {}; mend that and {}", result.load, result.unwritten, go_on));
   else
-    spdlog::error("failed at load {:.6g}: {}; try {}", result.load, assembly::describe(result.failure),
-                  result.failure.advice);
+    reporter.say(spdlog::level::err, fmt::format("failed at load {:.6g}: {}; try {}", result.load,
+                                                 assembly::describe(result.failure), result.failure.advice));
   return kFailed;
 }
 

@@ -124,5 +124,26 @@ TEST(Study, RefusesWhatTheSceneDoesNotHaveBeforeAnythingRuns) {
   EXPECT_THROW(coarser.run(), InputError);
 }
 
+TEST(Study, TellsWhatIsWrongWithASceneAtTheLineOfTheStudy) {
+  const std::string scene = "scene = \"" + kVerification + "scenes/block.toml\"\n",
+                    cells = "cells = [[8, 16], [16, 32]]\n", quantity = "[[quantity]]\ncolumn = \"fy_top\"\n";
+  const std::pair<std::string, const char*> wrong[] = {
+      {scene + "set = [\"loading.steps=4\",\n\"material.yung=1\"]\n" + cells, ":3:1: material.yung: unknown key"},
+      {scene + cells + "sweep = { key = \"material.poisson\", values = [0.2, 0.7] }\n",
+       ":3:52: material.poisson: 0.7 is out of range"},
+      {scene + "cells = [[8, 16],\n[0, 4]]\n", ":3:1: mesh.cells"},
+      {cells + "scene = \"nowhere.toml\"\n", ":2:9: scene: "}};
+  for (const auto& [text, message] : wrong) {
+    const Fresh s("wrong_scene", text + quantity);
+    try {
+      s.run();
+      ADD_FAILURE() << message;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find(s.file + message), 0u) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(s.directory));
+  }
+}
+
 }  // namespace
 }  // namespace cleft::tools

@@ -62,10 +62,10 @@ TEST_P(Page, IsWholeFitsTheWidthAndItsSliderMovesTheMesh) {
   EXPECT_LE(std::stoi(seen["viewport"]), GetParam());
   EXPECT_EQ(seen["title"], "Plane-strain compression of a block with a 45-degree edge crack");
   EXPECT_EQ(seen["headings"],
-            "Deformed mesh|Summary|Reactions|Along the cracks|Mesh at the end|Over the load|Solution|Energy balance|"
-            "Time by phase|Scene as solved");
+            "Deformed mesh|Summary|What differs between the scenes|Reactions|Along the cracks|Mesh at the end|Over the "
+            "load|Solution|Energy balance|Time by phase|Scene as solved");
   EXPECT_GE(std::stoi(seen["count_figure_svg"]), 18);
-  EXPECT_EQ(seen["count_table"], "3");
+  EXPECT_EQ(seen["count_table"], "4");
   EXPECT_EQ(seen["count_details"], "2");
 
   EXPECT_EQ(seen["last_state"], "load 1, increment 10") << "it opens with the last output";

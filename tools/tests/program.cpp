@@ -27,7 +27,6 @@ TEST(Program, RunsAScene) {
   for (const char* file :
        {"history.csv", "newton.csv", "crack_main.csv", "fields.pvd", "fields_0000.vtu", "run.json", "checkpoint"})
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
-  EXPECT_NE(o.text.find("imbalance"), std::string::npos) << "the energy balance is printed";
 }
 
 TEST(Program, ReplacesItsOwnResultsAndLeavesOtherFilesAlone) {
@@ -51,7 +50,7 @@ TEST(Program, CheckSaysWhatASceneSwitchesOn) {
   EXPECT_NE(plain.text.find("symmetric (CHOLMOD)"), std::string::npos);
   const Outcome block = call("check " + kScenes + "block.toml");
   EXPECT_EQ(block.code, 0);
-  EXPECT_NE(block.text.find("UMFPACK"), std::string::npos) << block.text;
+  EXPECT_NE(block.text.find("unsymmetric (MUMPS)"), std::string::npos) << block.text;
 }
 
 struct Bad {
@@ -109,7 +108,7 @@ TEST(Program, AFailedSolutionKeepsWhatConvergedAndSaysWhy) {
       call("run " + kScenes + "block.toml --set solver.max_iterations=3 --set solver.min_step=0.01 -o " + out);
   EXPECT_EQ(o.code, 3) << o.text;
   EXPECT_NE(o.text.find("failed at load"), std::string::npos) << o.text;
-  EXPECT_NE(o.text.find("; try "), std::string::npos) << o.text;
+  EXPECT_NE(flat(o.text).find("; try "), std::string::npos) << o.text;
   EXPECT_TRUE(std::filesystem::exists(out + "/history.csv"));
 }
 
@@ -142,7 +141,8 @@ TEST(Program, AFullDiskEndsTheRunWithAllThatFittedAndTheRestCanBeResumed) {
   // no file may grow beyond 20 kB: more than a checkpoint, less than a field file
   const Outcome o = call(run + full, "trap '' XFSZ; ulimit -f 40; ");
   EXPECT_EQ(o.code, 3) << o.text;
-  EXPECT_NE(o.text.find("cannot be written: File too large; mend that and go on with --resume"), std::string::npos)
+  EXPECT_NE(flat(o.text).find("cannot be written: File too large; mend that and go on with --resume"),
+            std::string::npos)
       << o.text;
   const std::size_t rows = scene::read_csv(full + "/history.csv").rows.size();
   EXPECT_GT(rows, 5u);
@@ -158,15 +158,8 @@ TEST(Program, SaysWhatMaySurprise) {
            "crack.main.contact.normal_penalty=4e14 --set 'crack.main.points=[[-0.001,0.02],[0.0207,0.0417]]'");
   for (const char* note : {"the tip (0.0207, 0.0417) lies inside an element", "the point (-0.001, 0.02) lies outside",
                            "slides without friction", "the normal penalty is 100 times E/h"})
-    EXPECT_NE(o.text.find(note), std::string::npos) << note << "\n" << o.text;
+    EXPECT_NE(flat(o.text).find(note), std::string::npos) << note << "\n" << o.text;
   EXPECT_EQ(call("check " + kScenes + "plain.toml").text.find("note"), std::string::npos);
-}
-
-TEST(Program, WarnsWhereTheFacesOverlap) {
-  const std::string run = "run " + kScenes + "block.toml --set 'mesh.cells=[8,16]' -o " + fresh("overlap");
-  EXPECT_EQ(call(run).text.find("overlap by"), std::string::npos);
-  const Outcome soft = call(run + " --set crack.main.contact.normal_penalty=1e10");
-  EXPECT_NE(soft.text.find("faces overlap by"), std::string::npos) << soft.text;
 }
 
 TEST(Program, TellsItsVersion) {

@@ -137,6 +137,22 @@ TEST(Report, DrawsSeveralRunsOverEachOther) {
   EXPECT_TRUE(has(page, "<th>cleft_report_smooth</th><th>cleft_report_rough</th>"));
 }
 
+TEST(Report, SaysWhatDiffersBetweenRunsAndWhatEachEndsWith) {
+  const std::string pulled = solved("pulled", kSmall + "--set boundary.top.name=roof --set 'mesh.cells=[4,8]'");
+  const std::string out = fresh("differences"), page = out + "/index.html", heading = "What differs between the scenes";
+  ASSERT_EQ(call("report " + smooth() + " " + rough() + " -o " + out).code, 0);
+  std::string text = text_of(page);
+  EXPECT_TRUE(has(text, "<tr><td>crack.main.friction</td><td>0.3</td><td>0.6</td></tr>")) << text.substr(0, 9000);
+  EXPECT_TRUE(has(text, "<td>crack.main.negative_side</td>"));
+  EXPECT_FALSE(has(text, "<td>material.young</td>")) << "what they have in common";
+  ASSERT_EQ(call("report " + smooth() + " " + pulled + " -o " + out).code, 0);
+  text = text_of(page);
+  EXPECT_TRUE(has(text, "<tr><td>mesh.cells</td><td>[8,16]</td><td>[4,8]</td></tr>"));
+  EXPECT_TRUE(has(text, "fy_top at the end") && has(text, "fy_roof at the end")) << "rows of both runs";
+  ASSERT_EQ(call("report " + smooth() + " -o " + out).code, 0);
+  EXPECT_FALSE(has(text_of(page), heading)) << "one run differs from nothing";
+}
+
 TEST(Report, RunsOfOneNameAreToldApartByTheirPaths) {
   const std::string a = fresh("same_a"), b = fresh("same_b");
   for (const auto& folder : {a, b}) {

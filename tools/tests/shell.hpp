@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <regex>
 #include <string>
 
 namespace cleft::tools {
@@ -25,6 +26,9 @@ inline Outcome call(const std::string& arguments, const std::string& before = ""
   while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
   return {WEXITSTATUS(pclose(pipe)), text};
 }
+
+/// Text with its lines made one, as messages are folded.
+inline std::string flat(const std::string& text) { return std::regex_replace(text, std::regex("\\s+"), " "); }
 
 /// A folder that is not there.
 inline std::string fresh(const std::string& name) {

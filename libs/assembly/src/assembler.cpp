@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "advice.hpp"
 #include "cleft/assembly/patches.hpp"
 #include "cleft/support/timer.hpp"
 #include "contact_points.hpp"
@@ -279,8 +280,7 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
                  static_cast<std::size_t>(bad) >= model_.cells.size()
                      ? "smaller loads, or formulation.tip_enrichment = 0: near a tip branch functions turn inside out "
                        "where strains are large"
-                 : model_.has_contact() ? "smaller increments (loading.steps), a softer penalty, or a finer mesh there"
-                                        : "smaller increments (loading.steps), or a finer mesh there"};
+                     : softer(model_, " there")};
 }
 
 // theory (3.1)

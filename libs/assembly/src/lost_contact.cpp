@@ -37,7 +37,9 @@ std::optional<Failure> lost_contact(const Model& model, const History& history, 
         FailureKind::ContactLost,
         fmt::format("the contact point at ({:.6g}, {:.6g}) of crack '{}' lies {:.2g} m deep in the other side", at.x(),
                     at.y(), model.cracks[face.crack].name, -pairs[p].state.normal_gap),
-        "no solver.search_radius of your own, smaller increments (loading.steps), or a stiffer penalty"};
+        std::string("no solver.search_radius of your own, ") +
+            (model.surfaces.is_mortar(face.crack) ? "or smaller increments (loading.steps)"
+                                                  : "smaller increments (loading.steps), or a stiffer penalty")};
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "advice.hpp"
 #include "chatter.hpp"
 #include "places.hpp"
 
@@ -99,9 +100,9 @@ void eliminate(const std::vector<Constraint>& constraints, double diagonal, Bloc
 
 // Springs of one side's points jump where these pass a corner of the other; hats and springs of both sides share it.
 std::string remedy(const Model& model, int halved) {
-  const std::string all = "smaller increments (loading.steps), a softer penalty, or a finer mesh at the crack";
-  const bool springs = model.surfaces.hats.nodes.empty();
-  return halved > 0 && springs ? all + "; or, where corners pass each other, contact.method = \"mortar\"" : all;
+  const std::string all = softer(model, model.cracks.empty() ? "" : " at the crack");
+  return halved > 0 && has_springs(model) ? all + "; or, where corners pass each other, contact.method = \"mortar\""
+                                          : all;
 }
 
 // How the right-hand side and the prescribed values follow the load.

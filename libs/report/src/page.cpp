@@ -178,7 +178,8 @@ std::string page_text(const std::vector<Run>& runs, const std::vector<Section>& 
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
       title, k_page_css, title);
-  out += notes_text(runs) + viewer_text(runs) + table_section("Summary", summary_table(runs));
+  out += notes_text(runs) + viewer_text(runs) + table_section("Summary", summary_table(runs)) +
+         table_section("What differs between the scenes", differences_table(runs));
   for (const auto& section : sections) out += section_text(section, directory);
   out += table_section("Energy balance", energy_table(runs)) + table_section("Advances of tips", growth_table(runs)) +
          table_section("Time by phase", phase_table(runs)) + table_section("Scene as solved", scenes_text(runs));

@@ -20,6 +20,7 @@ struct Section {
 
 /// Tables as HTML, empty where the runs have no data for one.
 std::string summary_table(const std::vector<Run>& runs);
+std::string differences_table(const std::vector<Run>& runs);  ///< keys of the scenes that differ
 std::string energy_table(const std::vector<Run>& runs);
 std::string growth_table(const std::vector<Run>& runs);
 std::string phase_table(const std::vector<Run>& runs);

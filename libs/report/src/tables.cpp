@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
+#include <map>
 
+#include "cleft/scene/solved_keys.hpp"
 #include "page.hpp"
 #include "unit.hpp"
 
@@ -85,6 +87,16 @@ std::string rounded(const std::string& cell) {
   return cell.empty() || *end != '\0' ? cell : std::isnan(value) ? "" : fmt::format("{:.5g}", value);
 }
 
+// The columns of reactions that any of the runs has.
+std::vector<std::string> reactions_of(const std::vector<Run>& runs) {
+  std::vector<std::string> out;
+  for (const auto& run : runs)
+    for (const auto& column : run.history.header)
+      if ((column.starts_with("fx_") || column.starts_with("fy_")) && std::ranges::find(out, column) == out.end())
+        out.push_back(column);
+  return out;
+}
+
 struct Energy {
   const char* column;
   const char* title;
@@ -133,13 +145,34 @@ std::string summary_table(const std::vector<Run>& runs) {
     return order == "0" ? std::string() : order;  // none could be told
   });
   from_info("largest overlap, element sizes", "/overlap");
-  for (const auto& column : runs.front().history.header)
-    if (column.starts_with("fx_") || column.starts_with("fy_"))
-      add(rows, runs, column + " at the end", [&](const Run& run) { return with_unit(last_of(run, column), "N/m"); });
+  for (const auto& column : reactions_of(runs))
+    add(rows, runs, column + " at the end", [&](const Run& run) { return with_unit(last_of(run, column), "N/m"); });
   from_info("time, s", "/seconds/total");
   from_info("peak memory, MB", "/peak_megabytes");
   from_info("version of cleft", "/cleft");
   return table_of("runs", head_of(runs, ""), rows);
+}
+
+std::string differences_table(const std::vector<Run>& runs) {
+  std::vector<std::string> keys;
+  std::map<std::string, std::vector<std::string>> values;  // a cell for each run
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (!runs[r].info.is_object() || !runs[r].info.contains("scene")) continue;
+    for (const auto& [key, value] : scene::solved_keys(runs[r].info["scene"].dump())) {
+      const auto [at, added] = values.try_emplace(key, runs.size());
+      if (added) keys.push_back(key);
+      at->second[r] = value;
+    }
+  }
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& key : keys) {
+    auto& row = values.at(key);
+    const bool all_equal = std::ranges::all_of(row, [&](const std::string& value) { return value == row.front(); });
+    if (all_equal || key == "title" || key == "file") continue;
+    row.insert(row.begin(), key);
+    rows.push_back(row);
+  }
+  return table_of("runs", head_of(runs, "key"), rows);
 }
 
 std::string energy_table(const std::vector<Run>& runs) {

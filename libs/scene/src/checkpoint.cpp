@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 7\n";
+constexpr char kMagic[] = "cleft checkpoint 8\n";
 
 struct Writer {
   std::string out;
@@ -84,7 +84,7 @@ void pass(Io& io, growth::Record& g) {
 // One function for both ways, so that they cannot differ.
 template <class Io>
 void pass(Io& io, Checkpoint& c) {
-  pass(io, c.scene_hash);
+  pass(io, c.scene);
   auto& s = c.state;
   io(s.load);
   pass(io, s.displacement);

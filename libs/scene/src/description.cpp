@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cleft/scene/solved_keys.hpp"
+
 namespace cleft::scene {
 namespace {
 
@@ -184,7 +186,11 @@ std::string to_json(const Scene& scene) {
   return j.dump(2, ' ', false, Json::error_handler_t::replace);  // file names may be anything
 }
 
-std::string scene_hash(const Scene& scene) { return hash_of(physics(scene).dump()); }
+std::string solved_json(const Scene& scene) {
+  return physics(scene).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string scene_hash(const Scene& scene) { return hash_of(solved_json(scene)); }
 
 std::string hash_of(std::string_view bytes) {
   std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a

@@ -177,8 +177,16 @@ Location Section::at(std::string_view key) const {
   return n ? document_->locate(*n, path(key)) : at();
 }
 
+Location Section::at(std::string_view key, std::size_t entry) const {
+  return document_->locate((*array(key))[entry], path(key));
+}
+
 void Section::fail(std::string_view key, const std::string& problem) const {
   throw InputError(at(key), path(key), problem);
+}
+
+void Section::fail_at(std::string_view key, std::size_t entry, const std::string& problem) const {
+  throw InputError(at(key, entry), fmt::format("{}[{}]", path(key), entry), problem);
 }
 
 void Section::require(std::string_view key) const {

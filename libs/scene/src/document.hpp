@@ -35,10 +35,12 @@ class Section {
   bool has(std::string_view key) const { return table_->contains(key); }
   Location at() const { return document_->locate(*table_, path_); }
   Location at(std::string_view key) const;
+  Location at(std::string_view key, std::size_t entry) const;  ///< of the entry of an array
   std::string path(std::string_view key) const {
     return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
   }
   [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
+  [[noreturn]] void fail_at(std::string_view key, std::size_t entry, const std::string& problem) const;
   void require(std::string_view key) const;
 
   using Check = std::function<bool(double)>;

@@ -149,7 +149,7 @@ void refuse_ball(const TractionSpec& spec, const assembly::Model& m) {
 // Where two boundaries could differ most: between the points of their amplitudes both are linear, but for rotations.
 std::vector<double> loads_to_compare(const BoundarySpec& a, const BoundarySpec& b) {
   std::vector<double> loads;
-  for (int k = 1; k <= 20; ++k) loads.push_back(k / 20.0);
+  for (int k = 20; k >= 1; --k) loads.push_back(k / 20.0);  // at full load values are those of the scene
   const auto add = [&](const Amplitude& amplitude) {
     for (const auto& [load, factor] : amplitude.points)
       if (load > 0.0 && load < 1.0) loads.push_back(load);
@@ -177,36 +177,49 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
         }
         const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
         for (const double load : loads_to_compare(scene.boundaries[p], scene.boundaries[first])) {
-          const double gap = std::fabs(assembly::prescribed_value(m, m.prescribed[p], unknown, load)[i] -
-                                       assembly::prescribed_value(m, m.prescribed[first], unknown, load)[i]);
-          if (gap > kTolerance * extent)
+          const double value = assembly::prescribed_value(m, m.prescribed[p], unknown, load)[i],
+                       other = assembly::prescribed_value(m, m.prescribed[first], unknown, load)[i];
+          if (std::fabs(value - other) > kTolerance * extent)
             throw InputError(
-                scene.boundaries[p].at, fmt::format("boundary[{}]", p),
-                fmt::format("prescribes u{} at the node ({:.6g}, {:.6g}) unlike boundary[{}] '{}', by {:.3g} m at load "
-                            "{}; allowed: equal values at shared nodes, or one component less",
-                            i == 0 ? "x" : "y", X.x(), X.y(), first, scene.boundaries[first].name, gap, load));
+                scene.boundaries[p].at, fmt::format("boundary[{}] '{}'", p, scene.boundaries[p].name),
+                fmt::format("prescribes u{0} = {1:.10g} m at the node ({2:.6g}, {3:.6g}) at load {4:.6g}, where "
+                            "boundary[{5}] '{6}' prescribes u{0} = {7:.10g} m; allowed: equal values at shared "
+                            "nodes, or u{0} on one of the two only",
+                            i == 0 ? "x" : "y", value, X.x(), X.y(), load, first, scene.boundaries[first].name, other));
         }
       }
 }
 
+// Of the elements that each crack cuts: the sum of their sizes, metres, and how many they are.
+std::vector<std::pair<double, int>> summed_sizes(const assembly::Model& model) {
+  std::vector<std::pair<double, int>> out(model.cracks.size());
+  for (const auto& element : model.cut.elements) {
+    out[element.crack].first += element_size(model.mesh, element.element);
+    ++out[element.crack].second;
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<double> cut_sizes(const assembly::Model& model) {
+  std::vector<double> out;
+  for (const auto& [sum, count] : summed_sizes(model)) out.push_back(sum / count);
+  return out;
+}
 
 std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model) {
   constexpr double kNoSide = std::numeric_limits<double>::infinity();
-  std::vector<double> size(scene.cracks.size(), 0.0), young(scene.cracks.size(), kNoSide);
-  std::vector<int> count(scene.cracks.size(), 0);
-  for (const auto& element : model.cut.elements) {
-    size[element.crack] += element_size(model.mesh, element.element);
-    ++count[element.crack];
-  }
+  std::vector<double> out(scene.cracks.size(), kNoSide);
   assembly::for_each_material_point(model, [&](std::size_t p, const auto& point, double) {
     const Index cut = model.cut.cut_of_element[point.element];
     if (cut == kNone) return;
-    double& softest = young[model.cut.elements[cut].crack];
+    double& softest = out[model.cut.elements[cut].crack];
     softest = std::min(softest, scene.materials[model.material_of.empty() ? 0 : model.material_of[p]].young);
   });
-  for (std::size_t k = 0; k < size.size(); ++k) size[k] = young[k] * count[k] / size[k];
-  return size;
+  const auto sizes = summed_sizes(model);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = out[k] * sizes[k].second / sizes[k].first;
+  return out;
 }
 
 namespace {

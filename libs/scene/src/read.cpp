@@ -158,8 +158,13 @@ LoadingSpec read_loading(const Section& s) {
   out.every_step = false;
   out.outputs = s.numbers("outputs", std::nullopt);
   for (std::size_t k = 0; k < out.outputs.size(); ++k)
-    if (out.outputs[k] <= 0.0 || out.outputs[k] > 1.0 || (k > 0 && out.outputs[k] <= out.outputs[k - 1]))
-      s.fail("outputs", "loads out of order; allowed: loads greater than 0 up to 1, each larger than the one before");
+    if (out.outputs[k] <= 0.0 || out.outputs[k] > 1.0)
+      s.fail_at("outputs", k,
+                fmt::format("{} is no load; allowed: loads in (0, 1], of which 1 is the whole load", out.outputs[k]));
+    else if (k > 0 && out.outputs[k] <= out.outputs[k - 1])
+      s.fail_at("outputs", k,
+                fmt::format("{} follows {}; allowed: loads in (0, 1], each larger than the one before", out.outputs[k],
+                            out.outputs[k - 1]));
   return out;
 }
 

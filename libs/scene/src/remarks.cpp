@@ -1,17 +1,51 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "cleft/scene/problem.hpp"
+#include "meshing.hpp"
 
 namespace cleft::scene {
 namespace {
 
+using Lines = std::vector<std::string>;
+
 constexpr double kShort = 1.0 - 1e-9;  // of an element; not equal but for rounding
-constexpr double kStiff = 20.0;        // times E/h: measured on the block, see remarks() in problem.hpp
+constexpr double kVisible = 1e-3;      // of an element
+constexpr double kNear = 0.5;          // of an element, between a tip and the boundary
+constexpr double kFew = 8.0;           // elements along a crack
+constexpr double kSmallBall = 2.0;     // elements; at 3 intensities are within 0.8 %
+constexpr double kStiff = 10.0;  // times E/h: on the block the pressure's variation is then four times that of E/h
+constexpr double kSoft = 0.1;    // times E/h: on the block faces overlap by 0.015 elements with E/h
+constexpr double kIncompressible = 0.49;  // Poisson's ratio
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
-void about_end(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end,
-               std::vector<std::string>& out) {
+double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
+  const double place = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + place * (b - a) - x).norm();
+}
+
+double distance_to_boundary(const geometry::Mesh& mesh, const Vec2& x) {
+  double out = std::numeric_limits<double>::infinity();
+  const auto edges = geometry::edges_of(mesh);
+  for (std::size_t e = 0; e < edges.nodes.size(); ++e)
+    if (edges.triangles[e][1] == kNone)
+      out = std::min(out, distance(x, mesh.nodes[edges.nodes[e][0]], mesh.nodes[edges.nodes[e][1]]));
+  return out;
+}
+
+// Of the largest element that holds the point, or has it on an edge.
+double size_at(const geometry::Mesh& mesh, const Vec2& x) {
+  constexpr double kInside = -1e-9;
+  double out = 0.0;
+  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
+    if (std::ranges::min(geometry::shape_values(mesh, t, x)) >= kInside) out = std::max(out, element_size(mesh, t));
+  return out;
+}
+
+void about_moved_end(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end, Lines& out) {
   if (end.nominal == end.effective) return;
   if (end.kind == geometry::CrackEnd::Kind::Mouth && geometry::covers(mesh, end.nominal))
     out.push_back(fmt::format("{}: the tip {} lies in an element at the boundary; the crack cuts through to {}", crack,
@@ -20,43 +54,107 @@ void about_end(const geometry::Mesh& mesh, const std::string& crack, const geome
     out.push_back(fmt::format("{}: the tip {} lies inside an element; the cut ends on its edge at {}", crack,
                               at(end.nominal), at(end.effective)));
   else
-    out.push_back(fmt::format("{}: the point {} lies outside of the body; the cut ends at the boundary, at {}", crack,
-                              at(end.nominal), at(end.effective)));
+    out.push_back(
+        fmt::format("{}: the point {} lies outside of the body; the cut ends at the boundary, at {}, {:.3g} m "
+                    "short of it",
+                    crack, at(end.nominal), at(end.effective), (end.nominal - end.effective).norm()));
+}
+
+void about_tip(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end, double ball,
+               Lines& out) {
+  if (end.kind != geometry::CrackEnd::Kind::Tip) return;
+  const double size = size_at(mesh, end.effective), away = distance_to_boundary(mesh, end.effective);
+  if (away < kNear * size)
+    out.push_back(
+        fmt::format("{}: only {:.2g} element sizes lie between the tip {} and the boundary, too few to carry "
+                    "what is left of the body there; a finer mesh there, or a crack that cuts through",
+                    crack, away / size, at(end.effective)));
+  if (ball > 0.0 && ball < kSmallBall * size)
+    out.push_back(
+        fmt::format("{}: the ball of {:.3g} m around the tip {} is {:.2g} element sizes in radius; at least 3 "
+                    "are needed for intensities within 1 %",
+                    crack, ball, at(end.effective), ball / size));
+}
+
+void about_growth(const CrackSpec& spec, const std::string& crack, double size, double ball, Lines& out) {
+  if (!spec.growth) return;
+  const auto& growth = *spec.growth;
+  if (growth.advance < kShort * size)
+    out.push_back(
+        fmt::format("{}: an advance of {:.3g} m is shorter than the elements ({:.3g} m)", crack, growth.advance, size));
+  const auto* rankine = std::get_if<growth::Rankine>(&growth.criterion);
+  if (rankine && rankine->radius < kShort * size)
+    out.push_back(
+        fmt::format("{}: the radius of {:.3g} m around a tip is smaller than the elements ({:.3g} m); where "
+                    "none lies within it growth ends the run",
+                    crack, rankine->radius, size));
+  if (grows_by_intensities(spec) && growth.advance < ball)
+    out.push_back(
+        fmt::format("{}: its intensities are taken within an advance ({:.3g} m) of the tip, though the ball "
+                    "is larger ({:.3g} m): the crack turns there",
+                    crack, growth.advance, ball));
+}
+
+void about_penalty(const std::string& crack, const char* name, double penalty, double scale, const char* stiff,
+                   const char* soft, Lines& out) {
+  if (penalty <= kStiff * scale && penalty >= kSoft * scale) return;
+  out.push_back(fmt::format("{}: the {} is {:.3g} times E/h ({:.4g} Pa/m); expect {}", crack, name, penalty / scale,
+                            scale, penalty > scale ? stiff : soft));
+}
+
+void about_contact(const CrackSpec& spec, const std::string& crack, const contact::Law& law, double scale, Lines& out) {
+  if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
+  if (spec.mortar.on) return;
+  about_penalty(crack, "normal penalty", law.normal_penalty, scale,
+                "an oscillating contact pressure, and smaller increments", "faces that overlap", out);
+  if (law.tangential_penalty != law.normal_penalty)
+    about_penalty(crack, "tangential penalty", law.tangential_penalty, scale,
+                  "an oscillating shear traction, and smaller increments", "slip where the faces should stick", out);
+}
+
+void about_crack(const Scene& scene, const assembly::Model& model, std::size_t k, double size, double scale,
+                 Lines& out) {
+  const auto& spec = scene.cracks[k];
+  const std::string crack = "crack '" + spec.name + "'";
+  const auto& ends = model.cut.cracks[k].ends;
+  for (const auto& end : ends) about_moved_end(model.mesh, crack, end, out);
+  for (const auto& end : ends) about_tip(model.mesh, crack, end, scene.tip_enrichment, out);
+  double within = 0.0;
+  for (Index s = model.cut.cracks[k].first_segment; s < model.cut.cracks[k].last_segment; ++s)
+    within += model.cut.segments[s].s_end - model.cut.segments[s].s_start;
+  const double length = ends[1].s - ends[0].s;
+  if (length - within > kVisible * size)
+    out.push_back(fmt::format("{}: between its ends {:.3g} m of {:.3g} m lie outside of the body, where nothing is cut",
+                              crack, length - within, length));
+  const double elements = within / size;
+  if (elements < kFew)
+    out.push_back(
+        fmt::format("{}: only {:.2g} element sizes long; with fewer than {:g} slip and pressure along it are "
+                    "coarse",
+                    crack, elements, kFew));
+  about_growth(spec, crack, size, scene.tip_enrichment, out);
+  about_contact(spec, crack, model.surfaces.laws[k], scale, out);
+}
+
+void about_material(const Scene& scene, const MaterialSpec& m, Lines& out) {
+  const std::string material = "material '" + m.model + "'";
+  if (m.poisson < 0.0)
+    out.push_back(
+        fmt::format("{}: Poisson's ratio {:.4g} is negative: a body that is pulled grows wider", material, m.poisson));
+  if (m.poisson > kIncompressible && !scene.f_bar)
+    out.push_back(
+        fmt::format("{}: with Poisson's ratio {:.4g} the volume hardly changes (bulk over shear modulus {:.3g}) "
+                    "and triangles lock, too stiff; formulation.f_bar = true",
+                    material, m.poisson, 2.0 / 3.0 * (1.0 + m.poisson) / (1.0 - 2.0 * m.poisson)));
 }
 
 }  // namespace
 
 std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model) {
-  std::vector<std::string> out;
-  const auto scale = penalty_scale(scene, model);
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    const std::string crack = "crack '" + scene.cracks[k].name + "'";
-    for (const auto& end : model.cut.cracks[k].ends) about_end(model.mesh, crack, end, out);
-    const auto& law = model.surfaces.laws[k];
-    const auto& growth = scene.cracks[k].growth;
-    const double size = scene.materials.front().young / scale[k];
-    const auto* rankine = growth ? std::get_if<growth::Rankine>(&growth->criterion) : nullptr;
-    const bool one_material = scene.materials.size() == 1;
-    if (growth && one_material && growth->advance < kShort * size)
-      out.push_back(fmt::format("{}: an advance of {:.3g} m is shorter than the elements ({:.3g} m)", crack,
-                                growth->advance, size));
-    if (rankine && one_material && rankine->radius < kShort * size)
-      out.push_back(
-          fmt::format("{}: the radius of {:.3g} m around a tip is smaller than the elements ({:.3g} m); where "
-                      "none lies within it growth ends the run",
-                      crack, rankine->radius, size));
-    if (grows_by_intensities(scene.cracks[k]) && growth->advance < scene.tip_enrichment)
-      out.push_back(
-          fmt::format("{}: its intensities are taken within an advance ({:.3g} m) of the tip, though the ball "
-                      "is larger ({:.3g} m): the crack turns there",
-                      crack, growth->advance, scene.tip_enrichment));
-    if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
-    if (!scene.cracks[k].mortar.on && law.normal_penalty > kStiff * scale[k])
-      out.push_back(
-          fmt::format("{}: the normal penalty is {:.3g} times E/h ({:.4g} Pa/m); expect an oscillating contact "
-                      "pressure, and smaller increments",
-                      crack, law.normal_penalty / scale[k], scale[k]));
-  }
+  Lines out;
+  const auto scale = penalty_scale(scene, model), size = cut_sizes(model);
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, k, size[k], scale[k], out);
+  for (const auto& material : scene.materials) about_material(scene, material, out);
   for (const auto& b : scene.boundaries)
     if (b.ux || b.uy || b.affine || b.field) {
       const double factor = b.amplitude(0.0);

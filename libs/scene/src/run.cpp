@@ -11,7 +11,9 @@
 #include <numbers>
 
 #include "cleft/scene/problem.hpp"
+#include "cleft/scene/solved_keys.hpp"
 #include "cleft/support/timer.hpp"
+#include "remarks_at_end.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
 
@@ -37,10 +39,18 @@ double median(std::vector<double> v) {
 
 Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
   Checkpoint c = checkpoint_from(read_bytes(path), path);
-  if (c.scene_hash != scene_hash(scene))
-    throw std::runtime_error(path +
-                             ": the checkpoint belongs to another scene; run without --resume, or into another folder");
-  return c;
+  const std::string now = solved_json(scene);
+  if (c.scene == now) return c;
+  constexpr std::size_t kTold = 8;
+  auto changed = differences(c.scene, now);
+  if (changed.size() > kTold) {
+    changed[kTold] = fmt::format("{} more", changed.size() - kTold);
+    changed.resize(kTold + 1);
+  }
+  throw std::runtime_error(
+      fmt::format("{}: the checkpoint belongs to another scene, which differs in {}; run with the keys as before, "
+                  "without --resume, or into another folder",
+                  path, fmt::join(changed, ", ")));
 }
 
 // Removes what an earlier run left in the folder and this one might not replace: exactly the files that its checkpoint
@@ -82,7 +92,6 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
                                const Seconds& seconds) {
   const auto& stepper = evolution.stepper();
   const auto& model = evolution.model();
-  const auto assembly = evolution.assembly_seconds();
   const auto solver = evolution.solver_seconds();
   const char* const ends[] = {"done", "failed", "stopped", "not written"};
   nlohmann::ordered_json j;
@@ -102,16 +111,9 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   j["factorisation"] = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric
                            ? "symmetric"
                            : "unsymmetric";
-  j["seconds"] = {{"total", seconds.before + result.seconds},
-                  {"cut", seconds.cut},
-                  {"assembly", assembly.bulk},
-                  {"contact", assembly.contact},
-                  {"pattern", assembly.pattern},
-                  {"analyse", solver.analyse},
-                  {"factorise", solver.factorise},
-                  {"solve", solver.solve},
-                  {"write", seconds.write}};
-  j["assemblies"] = assembly.assemblies;
+  j["seconds"]["total"] = seconds.before + result.seconds;
+  for (const auto& [phase, spent] : result.phases) j["seconds"][phase] = spent;
+  j["assemblies"] = evolution.assembly_seconds().assemblies;
   j["factorisations"] = solver.factorisations;
   j["analyses"] = solver.analyses;
   j["linear"] = model.is_linear();
@@ -145,6 +147,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   }
   if (grows(scene)) j["growth"] = grown(evolution);
   j["remarks"] = remarks(scene, model);
+  for (const auto& remark : result.remarks) j["remarks"].push_back(remark);
   j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
   return j;
 }
@@ -216,8 +219,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const auto keep = [&] {
     const auto& stepper = evolution.stepper();
     const Checkpoint now{
-        scene_hash(scene), stepper.state(), stepper.place(),       stepper.assembler().room(),     evolution.record(),
-        result.iterations, result.cuts,     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(),
+        solved_json(scene), stepper.state(), stepper.place(),       stepper.assembler().room(),     evolution.record(),
+        result.iterations,  result.cuts,     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(),
         results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
@@ -268,9 +271,13 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const auto& surfaces = evolution.model().surfaces;
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
+  result.remarks = remarks_at_end(scene, evolution.stepper());
   const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
   const auto assembly = evolution.assembly_seconds();
+  result.phases = {{"cut", seconds.cut},          {"assembly", assembly.bulk}, {"contact", assembly.contact},
+                   {"pattern", assembly.pattern}, {"analyse", solver.analyse}, {"factorise", solver.factorise},
+                   {"solve", solver.solve},       {"write", seconds.write}};
   const auto evaluations = static_cast<double>(std::max(1L, assembly.assemblies));
   result.bulk_microseconds =
       1e6 * assembly.bulk / (evaluations * static_cast<double>(evolution.model().material_points()));

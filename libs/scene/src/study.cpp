@@ -79,7 +79,9 @@ Study read_study(const std::string& file) {
   out.file = file;
   if (root.has("title")) out.title = root.text("title");
   out.scene = beside(file, root.text("scene"));
+  out.scene_at = root.at("scene");
   if (root.has("set")) out.set = root.texts("set");
+  for (std::size_t k = 0; k < out.set.size(); ++k) out.overrides_at[out.set[k]] = root.at("set", k);
   const char* const meshes = root.has("refine") ? "refine" : "cells";
   if (root.has("refine") && root.has("cells"))
     root.fail("refine", "says what the meshes are; allowed: one of cells and refine");
@@ -89,11 +91,17 @@ Study read_study(const std::string& file) {
   else
     for (const auto& row : root.pairs("cells")) out.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
   if (out.meshes.size() < 2) root.fail(meshes, "a sequence needs at least two meshes");
+  for (std::size_t k = 0; k < out.meshes.size(); ++k)
+    out.overrides_at[out.mesh_key + "=" + out.meshes[k]] = root.at(meshes, k);
   out.variants = {""};
   if (const auto sweep = root.section("sweep", "study.sweep")) {
     out.sweep_key = sweep->text("key");
     out.variants.clear();
-    for (const auto& value : *sweep->array("values")) out.variants.push_back(toml_text(value));
+    for (const auto& value : *sweep->array("values")) {
+      const Location at = sweep->at("values", out.variants.size());
+      out.variants.push_back(toml_text(value));
+      out.overrides_at[out.sweep_key + "=" + out.variants.back()] = at;
+    }
     if (out.variants.empty()) sweep->fail("values", "empty; allowed: at least one value");
   }
   for (const auto& s : root.sections("quantity", "study.quantity")) {

@@ -7,7 +7,7 @@ namespace {
 
 Checkpoint example() {
   Checkpoint c;
-  c.scene_hash = "0123456789abcdef";
+  c.scene = R"({"mesh":{"kind":"structured"}})";
   c.state.load = 0.3;
   c.state.displacement = VecX::LinSpaced(10, 0.0, 1.0 / 3.0);
   c.state.previous_displacement = -c.state.displacement;

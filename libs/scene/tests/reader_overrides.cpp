@@ -126,7 +126,7 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
       {"crack.main=0.1", "crack.main", "a whole section cannot be set"},
       {"crack.main.friction=-1", "crack[0].friction", "0 or greater"},
       {"crack.0.frction=1", "crack[0].frction", "did you mean 'friction'?"},
-      {"loading.outputs=[2.0]", "loading.outputs", "out of order"},
+      {"loading.outputs=[2.0]", "loading.outputs[0]", "2 is no load; allowed: loads in (0, 1]"},
       {"boundary.1.amplitude=[[1, 0], [0, 1]]", "boundary[1].amplitude", "out of order"},
       {"material.poisson=0.6", "material.poisson", "out of range"},
       {"mesh.size=1", "mesh.size", "is none of kind"},

@@ -59,6 +59,14 @@ Task task_of(const scene::Study& study, const std::string& mesh, const std::stri
   return task;
 }
 
+// What is wrong with the scene of a run stands where the study asks for it.
+[[noreturn]] void tell_in_study(const scene::Study& study, const InputError& error) {
+  const std::string override = "--set ", &place = error.location().file;
+  const auto at = study.overrides_at.find(place.starts_with(override) ? place.substr(override.size()) : "");
+  if (at != study.overrides_at.end()) throw InputError(at->second, error.key(), error.problem());
+  throw InputError(study.scene_at, "scene", error.what());
+}
+
 // Side of a square of two triangles of mean area, metres: the width of square cells.
 double mean_size(const geometry::Mesh& mesh) {
   const auto count = static_cast<Index>(mesh.triangles.size());
@@ -147,10 +155,15 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
   const std::size_t identity = std::hash<std::string>{}(program)&0xffffffffU;
   for (const auto& variant : study.variants)
     for (const auto& mesh : study.meshes) {
-      tasks.push_back(task_of(study, mesh, variant));
+      assembly::Model model;  // what only shows on the mesh is said before anything runs
+      try {
+        tasks.push_back(task_of(study, mesh, variant));
+        model = scene::build_model(tasks.back().scene);
+      } catch (const InputError& error) {
+        tell_in_study(study, error);
+      }
       const auto& s = tasks.back().scene;
       StudyRun run;
-      const auto model = scene::build_model(s);  // what only shows on the mesh is said before anything runs
       const auto* structured = std::get_if<scene::StructuredMesh>(&s.mesh.kind);
       run.mesh = structured ? fmt::format("{}x{}", structured->cells[0], structured->cells[1]) : "refine " + mesh;
       run.variant = label(variant);

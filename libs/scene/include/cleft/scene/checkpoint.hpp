@@ -11,7 +11,7 @@
 namespace cleft::scene {
 
 struct Checkpoint {
-  std::string scene_hash;
+  std::string scene;  ///< solved_json of the scene
   assembly::State state;
   assembly::StepPlace place;
   assembly::ContactRoom room;

@@ -21,9 +21,13 @@ growth::Evolution make_evolution(const Scene& scene, assembly::Model model);
 /// several materials along a crack the softest counts.
 std::vector<double> penalty_scale(const Scene& scene, const assembly::Model& model);
 
-/// What is allowed but may surprise, one line each: ends of cracks that were moved, no friction, penalties so stiff
-/// that the pressure oscillates (on the block with 16 x 32 cells its total variation grows fourfold at ten times E/h
-/// and the iteration fails at fifty), displacements that are not zero at load 0, tractions where nothing can move.
+/// Mean size of the elements that each crack cuts, metres: the side of a square of two such triangles.
+std::vector<double> cut_sizes(const assembly::Model& model);
+
+/// What is allowed but may surprise, one line each, with the figure that speaks for it: ends of cracks that were moved
+/// or lie close to the boundary, few elements along a crack or in the ball of a tip, no friction, penalties far from
+/// E/h, Poisson's ratios at which triangles lock or below 0, displacements that are not zero at load 0, tractions where
+/// nothing can move.
 std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model);
 
 assembly::StepControls step_controls(const Scene& scene);

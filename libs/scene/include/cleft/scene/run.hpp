@@ -5,6 +5,8 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cleft/assembly/stepping.hpp"
 #include "cleft/scene/description.hpp"
@@ -44,10 +46,12 @@ struct RunResult {
   assembly::Energies energies;
   double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements
   double seconds = 0.0;
-  double yardstick = 0.0;             ///< all factorisations and solves, seconds
-  double bulk_microseconds = 0.0;     ///< assembly with tangent, per cell and iteration
-  double contact_microseconds = 0.0;  ///< search, law and tangent, per contact point and iteration
+  std::vector<std::pair<std::string, double>> phases;  ///< of the seconds, those of earlier parts not included
+  double yardstick = 0.0;                              ///< all factorisations and solves, seconds
+  double bulk_microseconds = 0.0;                      ///< assembly with tangent, per cell and iteration
+  double contact_microseconds = 0.0;                   ///< search, law and tangent, per contact point and iteration
   double peak_megabytes = 0.0;
+  std::vector<std::string> remarks;  ///< on what was solved; those known before are not among them
 };
 
 /// The columns of a scene's history.csv.

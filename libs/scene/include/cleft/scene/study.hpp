@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ struct Quantity {
 
 struct Study {
   std::string file, title;
+  Location scene_at;
   std::string scene;                  ///< file
   std::vector<std::string> set;       ///< overrides of all runs, KEY=VALUE
   std::string mesh_key;               ///< mesh.cells or mesh.refine
@@ -42,6 +44,7 @@ struct Study {
   std::string sweep_key;              ///< empty: nothing is swept
   std::vector<std::string> variants;  ///< values of the swept key, as TOML; one empty one without a sweep
   std::vector<Quantity> quantities;
+  std::map<std::string, Location> overrides_at;  ///< where each override of `set`, of the meshes and variants stands
 };
 
 /// Reads and validates a study file (TOML). Throws InputError with file, line and column on anything wrong in it; what

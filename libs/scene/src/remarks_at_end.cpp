@@ -1,0 +1,114 @@
+#include "remarks_at_end.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cleft/scene/problem.hpp"
+#include "cleft/scene/profile.hpp"
+
+namespace cleft::scene {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr double kDeep = 0.1;         // elements
+constexpr double kUnbalanced = 0.01;  // of the work
+constexpr double kOscillates =
+    0.15;                         // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
+constexpr double kInner = 0.8;    // of the contact, away from its ends
+constexpr double kFlows = 0.05;   // of the work
+constexpr double kDilates = 0.1;  // dilatancy below which the volume hardly changes
+
+void about_overlap(const assembly::LoadStepper& stepper, Lines& out) {
+  const auto& surfaces = stepper.model().surfaces;
+  if (surfaces.points.empty()) return;
+  const double overlap = stepper.state().history.deepest / surfaces.element_size;
+  if (overlap > kDeep)
+    out.push_back(fmt::format("the crack's faces overlap by {:.2g} element sizes: {}", overlap,
+                              surfaces.hats.nodes.empty()
+                                  ? "the penalty is too soft for these loads; a stiffer one, or contact.method = "
+                                    "\"mortar\""
+                                  : "the mesh is too coarse for these loads; a finer one along the crack"));
+}
+
+void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Lines& out) {
+  const auto points = profile(stepper);
+  const auto sizes = cut_sizes(stepper.model());
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
+    if (scene.cracks[k].mortar.on) continue;
+    for (const auto side : {geometry::Side::Left, geometry::Side::Right}) {
+      std::vector<std::pair<double, double>> pressed;
+      for (const auto& p : points)
+        if (p.crack == static_cast<Index>(k) && p.side == side && p.status != contact::Status::Open)
+          pressed.emplace_back(p.s, p.pressure);
+      std::ranges::sort(pressed);
+      std::vector<double> place, value;
+      for (const auto& [s, pressure] : pressed) place.push_back(s), value.push_back(pressure);
+      const double much = oscillation(place, value);
+      if (much > kOscillates * kInner * (place.empty() ? 0.0 : place.back() - place.front()) / sizes[k])
+        out.push_back(
+            fmt::format("crack '{}': the contact pressure oscillates: beyond one rise and one fall along the crack it "
+                        "varies by {:.2g} times its maximum; a softer penalty, contact.method = \"mortar\", or a finer "
+                        "mesh",
+                        scene.cracks[k].name, much));
+    }
+  }
+}
+
+// What takes part in the balance; large where works of both signs cancel.
+double turnover(const assembly::Energies& e) {
+  return std::max({std::fabs(e.external_work), std::fabs(e.elastic), std::fabs(e.contact),
+                   std::fabs(e.friction_dissipation), std::fabs(e.plastic_dissipation), std::fabs(e.released)});
+}
+
+void about_energy(const Scene& scene, const assembly::Energies& e, Lines& out) {
+  const double off = std::fabs(e.imbalance()) / turnover(e);
+  if (off > kUnbalanced)
+    out.push_back(fmt::format("{:.2g} % of the energy are not accounted for; {}", 100.0 * off,
+                              scene.f_bar ? "with f_bar up to 6 % have been seen, beyond these smaller increments "
+                                            "(loading.steps) help"
+                                          : "smaller increments (loading.steps)"));
+}
+
+bool keeps_its_volume(const MaterialSpec& m) {
+  return m.model == "j2" || (m.model == "drucker-prager" && std::fabs(m.dilatancy) < kDilates);
+}
+
+void about_flow(const Scene& scene, const assembly::Energies& e, Lines& out) {
+  const double share = e.plastic_dissipation / turnover(e);
+  if (scene.f_bar || !(share > kFlows) || std::ranges::none_of(scene.materials, keeps_its_volume)) return;
+  out.push_back(
+      fmt::format("{:.2g} % of the work went into flow that hardly changes the volume, in which triangles "
+                  "lock, too stiff; compare with formulation.f_bar = true",
+                  100.0 * share));
+}
+
+}  // namespace
+
+double oscillation(std::span<const double> place, std::span<const double> value) {
+  if (place.empty()) return 0.0;
+  constexpr double kOuter = 0.5 * (1.0 - kInner);
+  const double from = place.front(), length = place.back() - from;
+  std::vector<double> inner;
+  for (std::size_t k = 0; k < place.size(); ++k)
+    if (place[k] >= from + kOuter * length && place[k] <= from + (1.0 - kOuter) * length) inner.push_back(value[k]);
+  if (inner.empty()) return 0.0;
+  double variation = 0.0;
+  for (std::size_t k = 1; k < inner.size(); ++k) variation += std::fabs(inner[k] - inner[k - 1]);
+  const double most = std::ranges::max(inner);
+  return most > 0.0 ? (variation - (2.0 * most - inner.front() - inner.back())) / most : 0.0;
+}
+
+std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper) {
+  Lines out;
+  if (!(stepper.state().load > 0.0)) return out;
+  about_overlap(stepper, out);
+  about_pressure(scene, stepper, out);
+  about_energy(scene, stepper.state().energies, out);
+  about_flow(scene, stepper.state().energies, out);
+  return out;
+}
+
+}  // namespace cleft::scene

@@ -1,0 +1,22 @@
+// What a solved scene shows that its user should know.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cleft/assembly/stepping.hpp"
+#include "cleft/scene/description.hpp"
+
+namespace cleft::scene {
+
+/// How much the values vary beyond one rise and one fall, over their maximum; 0 where none is positive. What lies in
+/// the outer tenths of `place`, which ascends, does not count.
+double oscillation(std::span<const double> place, std::span<const double> value);
+
+/// On the last converged state, one line each, with the figure that speaks for it: faces that overlap, a contact
+/// pressure that oscillates, energy that is not accounted for, flow in which triangles lock. Nothing before the first
+/// increment.
+std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
+
+}  // namespace cleft::scene

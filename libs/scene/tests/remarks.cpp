@@ -1,0 +1,189 @@
+// What a scene is remarked on: each remark provoked, with its figure, and absent from a sound scene.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+
+#include "cleft/scene/files.hpp"
+#include "cleft/scene/problem.hpp"
+#include "remarks_at_end.hpp"
+#include "runs.hpp"
+#include "scenes.hpp"
+
+namespace cleft::scene {
+namespace {
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const auto& line : lines) out += line + "\n";
+  return out;
+}
+
+// A square with an inner crack that nothing can be said against: 22 elements long, rough, sprung by E/h.
+const std::string kSound = R"([mesh]
+box = [0.0, 0.0, 1.0, 1.0]
+cells = [32, 32]
+[material]
+model = "hencky"
+young = 1.0e9
+poisson = 0.3
+[formulation]
+tip_enrichment = 0.1
+[[crack]]
+name = "main"
+points = [[0.25, 0.24], [0.75, 0.73]]
+friction = 0.3
+contact = { method = "penalty" }
+[[boundary]]
+on = "bottom"
+ux = 0.0
+uy = 0.0
+[[boundary]]
+on = "top"
+ux = 0.0
+uy = -0.001
+[loading]
+steps = 4
+outputs = [1.0]
+)";
+
+std::string before(const std::vector<std::string>& overrides, const std::string& text = kSound) {
+  const Scene scene = scene_of(text, overrides);
+  return joined(remarks(scene, build_model(scene)));
+}
+
+TEST(Remarks, ASoundSceneHasNone) {
+  EXPECT_EQ(before({}), "");
+  EXPECT_EQ(before({"crack.main.contact={}"}), "") << "mortar contact";
+  EXPECT_EQ(before({}, kPlain), "") << "no crack";
+}
+
+struct Provoked {
+  std::vector<std::string> overrides;
+  const char* remark;
+};
+
+TEST(Remarks, SpeakWithTheFigureThatProvokesThem) {
+  const std::string ball = "formulation.tip_enrichment=0", e_h = "(3.2e+10 Pa/m)";
+  const Provoked all[] = {
+      {{"crack.main.points=[[0.25,0.24],[0.99,0.71]]", "mesh.cells=[30,30]", ball},
+       "the tip (0.99, 0.71) lies in an element at the boundary; the crack cuts through to (1, 0.71"},
+      {{"crack.main.points=[[0.25,0.24],[0.99,0.7]]", "mesh.cells=[30,30]", ball},
+       "only 0.3 element sizes lie between the tip (0.99, 0.7) and the boundary"},
+      {{"crack.main.points=[[-0.1,0.24],[0.75,0.73]]", ball},
+       "the point (-0.1, 0.24) lies outside of the body; the cut ends at the boundary, at (0, 0.297647), 0.115 m "
+       "short"},
+      {{"crack.main.points=[[0.25,0.24],[0.76,0.74]]", ball}, "the tip (0.76, 0.74) lies inside an element"},
+      {{"mesh={kind='delaunay',box=[0,0,1,1],size=0.04,holes=[[[0.4,0.3],[0.6,0.3],[0.6,0.7],[0.4,0.7]]]}", ball},
+       "between its ends 0.28 m of 0.698 m lie outside of the body"},
+      {{"formulation.tip_enrichment=0.05"}, "the ball of 0.05 m around the tip (0.25, 0.24) is 1.6 element sizes"},
+      {{"mesh.cells=[10,10]", ball}, "crack 'main': only 7.1 element sizes long; with fewer than 8 slip"},
+      {{"crack.main.friction=0"}, "slides without friction"},
+      {{"crack.main.contact.normal_penalty=4e11"},
+       "the normal penalty is 12.5 times E/h (3.2e+10 Pa/m); expect an osc"},
+      {{"crack.main.contact.tangential_penalty=4e11"}, "the tangential penalty is 12.5 times E/h"},
+      {{"crack.main.contact.normal_penalty=2.56e9"},
+       "the normal penalty is 0.08 times E/h (3.2e+10 Pa/m); expect faces"},
+      {{"crack.main.contact.tangential_penalty=2.56e9"},
+       "the tangential penalty is 0.08 times E/h (3.2e+10 Pa/m); expe"},
+      {{"material.poisson=-0.1"}, "Poisson's ratio -0.1 is negative"},
+      {{"material.poisson=0.495"},
+       "with Poisson's ratio 0.495 the volume hardly changes (bulk over shear modulus 99.7)"},
+      {{"boundary.top.amplitude=[[0,0.5],[1,1]]"}, "boundary 'top': its factor is 0.5 already at load 0"},
+      {{"traction=[{on='top',value=[1,0]}]"}, "traction on 'top': boundary 'top' prescribes all displacements"},
+      {{"crack.main.growth={criterion='rankine',strength=1e9,radius=0.1,advance=0.02}"},
+       "an advance of 0.02 m is shorter than the elements (0.0312 m)"}};
+  for (const auto& [overrides, remark] : all)
+    EXPECT_NE(before(overrides).find(remark), std::string::npos) << remark << "\n" << before(overrides);
+}
+
+TEST(Remarks, KeepSilentWithinTheirBounds) {
+  EXPECT_EQ(before({"crack.main.contact.normal_penalty=3e11", "crack.main.contact.tangential_penalty=4e9"}), "");
+  EXPECT_EQ(before({"material.poisson=0.495", "formulation.f_bar=true"}), "");
+  EXPECT_EQ(before({"material.poisson=0.48"}), "");
+  EXPECT_EQ(before({"formulation.tip_enrichment=0.065"}), "");
+}
+
+// What is said of the scenes of verification/ is so; nothing else may be said of them.
+TEST(Remarks, OfTheScenesThatAreSolvedAreTrue) {
+  const std::set<std::string> frictionless{"manufactured_cut", "plate_crack", "slanted_crack"},
+      on_an_edge{"block", "block_yield_finite", "block_yield_small", "s_crack", "wing_crack"};
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CLEFT_SOURCE_DIR "/verification/scenes")) {
+    const std::string name = entry.path().stem();
+    const Scene scene = read_scene(entry.path());
+    for (const auto& remark : remarks(scene, build_model(scene))) {
+      const auto tells = [&](const char* what) { return remark.find(what) != std::string::npos; };
+      EXPECT_TRUE((frictionless.contains(name) && tells("slides without friction")) ||
+                  (on_an_edge.contains(name) && tells("lies inside an element; the cut ends on its edge")) ||
+                  (name == "through_crack" && tells("the normal penalty is 100 times E/h")))
+          << name << ": " << remark;
+    }
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 19u);
+}
+
+TEST(Oscillation, IsWhatAProfileVariesBeyondOneRiseAndOneFall) {
+  std::vector<double> place, hill, teeth;
+  for (int k = 0; k <= 100; ++k) {
+    place.push_back(k);
+    hill.push_back(std::sin(std::numbers::pi * k / 100.0));
+    teeth.push_back(1.0 + 0.1 * (k % 2));
+  }
+  EXPECT_NEAR(oscillation(place, hill), 0.0, 1e-12);
+  EXPECT_NEAR(oscillation(place, teeth), (80 * 0.1 - 0.2) / 1.1, 1e-9) << "80 teeth, one rise and one fall of 0.1 less";
+  hill.front() = hill.back() = 7.0;
+  EXPECT_NEAR(oscillation(place, hill), 0.0, 1e-12) << "the outer tenths do not count";
+  EXPECT_EQ(oscillation({}, {}), 0.0);
+}
+
+// What run() says at its end, which run.json repeats.
+std::string at_end(const std::vector<std::string>& overrides, const std::string& text = kSound) {
+  const Folder folder;
+  const auto result = run(scene_of(text, overrides), into(folder / "run"));
+  EXPECT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  const auto json = nlohmann::json::parse(read_bytes(folder / "run" + "/run.json"));
+  const std::vector<std::string> kept = json.at("remarks");
+  for (const auto& remark : result.remarks) EXPECT_EQ(std::ranges::count(kept, remark), 1) << remark;
+  return joined(result.remarks);
+}
+
+TEST(RemarksAtEnd, ASoundRunHasNone) {
+  EXPECT_EQ(at_end({}), "");
+  EXPECT_EQ(at_end({"crack.main.contact={}"}), "") << "mortar contact";
+  EXPECT_EQ(at_end({"loading.steps=1"}, kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = 0.0\n"), "") << "at rest";
+}
+
+TEST(RemarksAtEnd, FacesThatOverlapAreToldWithWhatTheirContactCanDo) {
+  const std::string soft = at_end({"crack.main.contact.normal_penalty=1e7", "boundary.top.uy=-0.02"});
+  EXPECT_NE(soft.find("faces overlap by 0.37 element sizes"), std::string::npos) << soft;
+  EXPECT_NE(soft.find("the penalty is too soft"), std::string::npos) << soft;
+}
+
+TEST(RemarksAtEnd, StiffSpringsMakeThePressureOscillate) {
+  const std::string stiff = at_end({"crack.main.contact={normal_penalty=3e12,tangential_penalty=3e12}"});
+  EXPECT_NE(stiff.find("crack 'main': the contact pressure oscillates"), std::string::npos) << stiff;
+}
+
+TEST(RemarksAtEnd, EnergyThatIsNotAccountedForIsToldWithItsShare) {
+  const std::string stretched = kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = 0.04\n";
+  const std::string coarse = at_end({"loading.steps=1"}, stretched);
+  EXPECT_NE(coarse.find(" % of the energy are not accounted for; smaller increments"), std::string::npos) << coarse;
+  EXPECT_EQ(at_end({"loading.steps=10"}, stretched), "");
+}
+
+TEST(RemarksAtEnd, FlowThatKeepsTheVolumeLocksTriangles) {
+  const std::string flows =
+      replaced(kPlain, "model = \"hencky\"", "model = \"j2\"\nyield_stress = 1e7\nhardening = 1e8") +
+      "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -0.0008\n[loading]\nsteps = 20\n";
+  const std::string locked = at_end({}, flows);
+  EXPECT_NE(locked.find("% of the work went into flow that hardly changes the volume"), std::string::npos) << locked;
+  EXPECT_EQ(at_end({"formulation.f_bar=true"}, flows).find("hardly changes"), std::string::npos);
+  EXPECT_EQ(at_end({"material.yield_stress=1e9"}, flows), "") << "elastic";
+}
+
+}  // namespace
+}  // namespace cleft::scene

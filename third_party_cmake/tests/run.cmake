@@ -1,0 +1,17 @@
+# run(command...): stops the test if the command fails. answer(VARIABLE command...): its output, too.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "exit code ${result}: ${command}")
+  endif()
+endfunction()
+
+function(answer variable)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "exit code ${result}: ${command}")
+  endif()
+  set(${variable} "${output}" PARENT_SCOPE)
+endfunction()

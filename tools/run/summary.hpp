@@ -1,0 +1,16 @@
+// What a run tells when it has ended.
+#pragma once
+
+#include <string>
+
+#include "cleft/scene/run.hpp"
+
+namespace cleft::tools {
+
+std::string duration(double seconds);
+
+/// On stdout, in 80 columns: how far, how well, how long, where the results are, what an expert would warn of and look
+/// at next.
+void print_summary(const scene::Scene& scene, const scene::RunResult& result, const std::string& directory);
+
+}  // namespace cleft::tools
