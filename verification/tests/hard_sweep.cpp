@@ -84,7 +84,9 @@ Swept sweep(const scene::Scene& scene) {
   const assembly::Model model = scene::build_model(scene);
   assembly::LoadStepper stepper(model, scene::step_controls(scene));
   {
-    assembly::Model open = model;  // without springs
+    scene::Scene with_springs = scene;  // which can be taken away again
+    for (auto& crack : with_springs.cracks) crack.mortar.on = false;
+    assembly::Model open = scene::build_model(with_springs);
     open.surfaces.points.clear();
     assembly::Assembler assembler(open);
     const auto rest = assembly::state_at_rest(open);

@@ -74,20 +74,23 @@ struct Sweep {
   const char* name;
   std::vector<Place> (*places)();
   const char* diagonal;
+  const char* method = "penalty";
 };
 
+std::string contact_of(const std::string& method) { return "crack.main.contact={method=\"" + method + "\"}"; }
+
 Swept solved(const Sweep& sweep, const std::vector<Vec2>& points, int refine) {
-  return verification::sweep(
-      hard_scene("block", {points_of("main", points), fmt::format("mesh.diagonal=\"{}\"", sweep.diagonal),
-                           fmt::format("mesh.cells=[{},{}]", 8 * refine, 16 * refine)}));
+  return verification::sweep(hard_scene("block", {points_of("main", points), contact_of(sweep.method),
+                                                  fmt::format("mesh.diagonal=\"{}\"", sweep.diagonal),
+                                                  fmt::format("mesh.cells=[{},{}]", 8 * refine, 16 * refine)}));
 }
 
 class HardSweep : public testing::TestWithParam<Sweep> {};
 
 TEST_P(HardSweep, DoesNotDependOnHowSmallTheCutsAre) {
   const Sweep& s = GetParam();
-  Case table(fmt::format("{}, diagonals {}", s.name, s.diagonal));
-  auto numbers = sheet(fmt::format("{}_{}", s.name, s.diagonal));
+  Case table(fmt::format("{}, diagonals {}, {}", s.name, s.diagonal, s.method));
+  auto numbers = sheet(fmt::format("{}_{}{}", s.name, s.diagonal, std::string(s.method) == "mortar" ? "_mortar" : ""));
   std::vector<Swept> all;
   int failed = 0, cuts = 0;
   double stress = 0.0, jump = 0.0, low = 1e300, high = 0.0;
@@ -135,22 +138,30 @@ TEST_P(HardSweep, DoesNotDependOnHowSmallTheCutsAre) {
 INSTANTIATE_TEST_SUITE_P(Cracks, HardSweep,
                          testing::Values(Sweep{"offset", offsets, "right"}, Sweep{"offset", offsets, "left"},
                                          Sweep{"offset", offsets, "alternating"}, Sweep{"angle", angles, "right"},
-                                         Sweep{"angle", angles, "left"}),
+                                         Sweep{"angle", angles, "left"}, Sweep{"offset", offsets, "right", "mortar"},
+                                         Sweep{"angle", angles, "right", "mortar"}),
                          [](const auto& test) {
-                           return std::string(test.param.name) + "Diagonal" + test.param.diagonal;
+                           return std::string(test.param.name) + "Diagonal" + test.param.diagonal + test.param.method;
                          });
 
+class HardRandom : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Contact, HardRandom, testing::Values("penalty", "mortar"),
+                         [](const auto& test) { return std::string(test.param); });
+
 // CLEFT_RANDOM_CRACKS says how many.
-TEST(HardRandom, NoCrackOfAThousandFails) {
+TEST_P(HardRandom, NoCrackOfAThousandFails) {
+  const std::string method = GetParam();
   const char* asked = std::getenv("CLEFT_RANDOM_CRACKS");
   const int wanted = asked == nullptr ? 200 : std::atoi(asked);
-  Case table(fmt::format("{} random cracks on random meshes", wanted));
-  auto numbers = sheet("random");
+  Case table(fmt::format("{} random cracks on random meshes, {}", wanted, method));
+  auto numbers = sheet(method == "mortar" ? "random_mortar" : "random");
   int solved = 0, failed = 0, cuts = 0, most = 0, refused = 0, loose = 0, stressed = 0;
   for (unsigned seed = 0; solved < wanted; ++seed) {
     ASSERT_LT(seed, 10U * static_cast<unsigned>(wanted) + 100U);
     try {
-      const Swept now = sweep(hard_scene("block", random_crack(seed, testing::TempDir())));
+      auto overrides = random_crack(seed, testing::TempDir());
+      overrides.push_back(contact_of(method));
+      const Swept now = sweep(hard_scene("block", overrides));
       loose += now.loose;
       if (now.loose) continue;
       ++solved;

@@ -64,12 +64,17 @@ void factorise_and_solve(benchmark::State& state, Options... options) {
   state.counters["analysis_ms"] = 1e3 * seconds.analyse;
 }
 
+void umfpack(benchmark::State& state) { factorise_and_solve<assembly::Umfpack>(state); }
+void mumps_minimum_degree(benchmark::State& state) { factorise_and_solve<assembly::Mumps>(state, Index{1} << 30); }
+void mumps_nested_dissection(benchmark::State& state) { factorise_and_solve<assembly::Mumps>(state, Index{0}); }
+void cholmod(benchmark::State& state) { factorise_and_solve<assembly::Cholmod>(state); }
+
 void sizes(benchmark::internal::Benchmark* all) {
   all->Arg(16)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond);
 }
-BENCHMARK_CAPTURE(factorise_and_solve<assembly::Umfpack>, umfpack)->Apply(sizes);
-BENCHMARK_CAPTURE(factorise_and_solve<assembly::Mumps>, mumps_minimum_degree, Index{1} << 30)->Apply(sizes);
-BENCHMARK_CAPTURE(factorise_and_solve<assembly::Mumps>, mumps_nested_dissection, Index{0})->Apply(sizes);
-BENCHMARK_CAPTURE(factorise_and_solve<assembly::Cholmod>, cholmod)->Apply(sizes);
+BENCHMARK(umfpack)->Apply(sizes);
+BENCHMARK(mumps_minimum_degree)->Apply(sizes);
+BENCHMARK(mumps_nested_dissection)->Apply(sizes);
+BENCHMARK(cholmod)->Apply(sizes);
 
 }  // namespace
