@@ -20,6 +20,20 @@ std::string with_uncertainty(double value, double pm) {
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
+// One line a variant; the phases are in costs.csv.
+void print_costs(const verify::StudyResult& result) {
+  const std::string* variant = nullptr;
+  for (const auto& [of, what, fit] : result.costs) {
+    if (what != "seconds" && what != "megabytes") continue;
+    const bool goes_on = variant != nullptr && *variant == of;
+    if (!goes_on) fmt::print("\ncost{}{}:", of.empty() ? "" : ", ", of);
+    variant = &of;
+    fmt::print("{} {} ~ unknowns^{}", goes_on ? "," : "", what,
+               fit.determined ? with_uncertainty(fit.order, fit.order_pm) : "? (" + fit.remark + ")");
+  }
+  fmt::print("\n");
+}
+
 void print(const scene::Study& study, const verify::StudyResult& result) {
   for (const auto& s : result.series) {
     const auto& q = study.quantities[s.quantity];
@@ -36,6 +50,7 @@ void print(const scene::Study& study, const verify::StudyResult& result) {
     fmt::print("  order {}{}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
                s.fit.determined ? "" : "  NOT DETERMINED: ", s.fit.determined ? "" : s.fit.remark);
   }
+  print_costs(result);
 }
 
 int converge(Options options) {
@@ -47,7 +62,7 @@ int converge(Options options) {
   if (!result.failed.empty()) return kFailed;
   if (!study.title.empty()) fmt::print("{}\n", study.title);
   print(study, result);
-  fmt::print("\nresults in {}: study.csv, fits.csv, convergence.svg, cost.svg\n", options.run.directory);
+  fmt::print("\nresults in {}: study.csv, fits.csv, costs.csv, convergence.svg, cost.svg\n", options.run.directory);
   for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
   return result.missed.empty() ? kDone : kCheckFailed;
 }

@@ -53,6 +53,22 @@ TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
   EXPECT_EQ(table.rows.size(), 10u);
   EXPECT_EQ(table.column("value")[0], r.runs[0].value[0]);
   EXPECT_EQ(scene::read_csv(s.directory + "/fits.csv").rows.size(), 4u);
+  EXPECT_EQ(table.column("factorise_seconds")[0], r.runs[0].phases.at("factorise"));
+  std::vector<double> unknowns, seconds;
+  for (std::size_t k = 3; k < 6; ++k) {
+    unknowns.push_back(static_cast<double>(r.runs[k].unknowns));
+    seconds.push_back(r.runs[k].phases.at("factorise"));
+  }
+  const auto costs = scene::read_csv(s.directory + "/costs.csv");
+  ASSERT_EQ(costs.rows.size(), r.costs.size());
+  int seen = 0;
+  for (std::size_t k = 0; k < r.costs.size(); ++k)
+    if (r.costs[k].variant == "right" && r.costs[k].what == "factorise_seconds") {
+      ++seen;
+      EXPECT_EQ(r.costs[k].fit.order, verify::fit_power(unknowns, seconds).order);
+      EXPECT_EQ(costs.column("exponent")[k], r.costs[k].fit.order);
+    }
+  EXPECT_EQ(seen, 1);
   for (const char* figure : {"/convergence.svg", "/cost.svg"}) {
     const std::string svg = scene::read_bytes(s.directory + figure);
     EXPECT_NE(svg.find("fy_top at 0.3, left"), std::string::npos) << figure;
