@@ -20,6 +20,10 @@ std::string with_uncertainty(double value, double pm) {
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
+std::string exponent(const verify::LimitFit& fit) {
+  return fmt::format("{:.2f}", fit.order) + (fit.order_pm > 0.0 ? fmt::format(" +- {:.2f}", fit.order_pm) : "");
+}
+
 // One line a variant; the phases are in costs.csv.
 void print_costs(const verify::StudyResult& result) {
   const std::string* variant = nullptr;
@@ -29,7 +33,7 @@ void print_costs(const verify::StudyResult& result) {
     if (!goes_on) fmt::print("\ncost{}{}:", of.empty() ? "" : ", ", of);
     variant = &of;
     fmt::print("{} {} ~ unknowns^{}", goes_on ? "," : "", what,
-               fit.determined ? with_uncertainty(fit.order, fit.order_pm) : "? (" + fit.remark + ")");
+               fit.determined ? exponent(fit) : "? (" + fit.remark + ")");
   }
   fmt::print("\n");
 }
