@@ -102,6 +102,16 @@ TEST(Study, MeasuresErrorsAndIsACheckWhereOrdersAreAskedFor) {
   ASSERT_EQ(misses.run().missed.size(), 1u);
 }
 
+// A process starts with its parent's peak in getrusage's books.
+TEST(Study, TheMemoryOfARunIsItsOwn) {
+  const std::vector<char> large(std::size_t{400} << 20, 'x');
+  const Fresh s("memory", block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.1\n"));
+  for (const auto& run : s.run().runs) {
+    EXPECT_GT(run.megabytes, 5.0);
+    EXPECT_LT(run.megabytes, 300.0) << "of " << large.size() / 1000000 << " MB here";
+  }
+}
+
 TEST(Study, AFailedRunIsNamedAndTheOthersAreKept) {
   const Fresh s("failed", block("cells = [[4, 8], [8, 16]]\n"
                                 "sweep = { key = \"solver.max_iterations\", values = [1, 12] }\n"
