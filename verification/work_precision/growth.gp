@@ -4,9 +4,9 @@ file = folder.'/study.csv'
 set output folder.'/growth.svg'
 set logscale xy
 set format xy '10^{%T}'
-set terminal svg enhanced
+set terminal svg size 1300,520 dynamic enhanced background rgb 'white' font 'sans,12'
 set xlabel 'unknowns'
-set key top left
+set key outside right center
 is_of(contact) = strcol('variant') eq contact ? column('unknowns') : NaN
 phases = 'seconds factorise_seconds solve_seconds assembly_seconds contact_seconds analyse_seconds pattern_seconds cut_seconds write_seconds'
 shown(phase) = phase[1:strstrt(phase, 'seconds') - 2]

@@ -35,20 +35,25 @@ for problem in "${problems[@]}"; do
   done
 done
 
-# table PROBLEM: a row a run, its errors in per cent beside each other
+# table PROBLEM: a row a run, its errors in per cent beside each other; the value, too, where a quantity has one
 table() {
   awk -F, -v problem="$1" '
+    function cell(text) { return text == "" ? "-" : text }
     $1 != problem { next }
     !seen[$3]++ { quantity[++quantities] = $3 }
     { run = $2 "," $4 }
     !(run in cost) { runs[++count] = run; cost[run] = sprintf("%s,%d,%d,%d,%d,%.2f,%.0f", run, $5, $6, $7, $8, $9, $10) }
+    $11 != $12 { has_value[$3] = 1; value[run, $3] = sprintf("%.6g", $11) }
     $12 != "nan" { error[run, $3] = sprintf("%.3g", 100 * $12) }
     END {
       printf "method,mesh,unknowns,increments,iterations,cuts,seconds,MB"
-      for (q = 1; q <= quantities; ++q) printf ",%s %%", quantity[q]
+      for (q = 1; q <= quantities; ++q) printf has_value[quantity[q]] ? ",%s,%s %%" : ",%s %%", quantity[q], quantity[q]
       for (r = 1; r <= count; ++r) {
         printf "\n%s", cost[runs[r]]
-        for (q = 1; q <= quantities; ++q) printf ",%s", error[runs[r], quantity[q]] != "" ? error[runs[r], quantity[q]] : "-"
+        for (q = 1; q <= quantities; ++q) {
+          if (has_value[quantity[q]]) printf ",%s", cell(value[runs[r], quantity[q]])
+          printf ",%s", cell(error[runs[r], quantity[q]])
+        }
       }
       print ""
     }' "$out/costs.csv" | column -s, -t
