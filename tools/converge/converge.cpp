@@ -20,6 +20,24 @@ std::string with_uncertainty(double value, double pm) {
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
+std::string exponent(const verify::LimitFit& fit) {
+  return fmt::format("{:.2f}", fit.order) + (fit.order_pm > 0.0 ? fmt::format(" +- {:.2f}", fit.order_pm) : "");
+}
+
+// One line a variant; the phases are in costs.csv.
+void print_costs(const verify::StudyResult& result) {
+  const std::string* variant = nullptr;
+  for (const auto& [of, what, fit] : result.costs) {
+    if (what != "seconds" && what != "megabytes") continue;
+    const bool goes_on = variant != nullptr && *variant == of;
+    if (!goes_on) fmt::print("\ncost{}{}:", of.empty() ? "" : ", ", of);
+    variant = &of;
+    fmt::print("{} {} ~ unknowns^{}", goes_on ? "," : "", what,
+               fit.determined ? exponent(fit) : "? (" + fit.remark + ")");
+  }
+  fmt::print("\n");
+}
+
 void print(const scene::Study& study, const verify::StudyResult& result) {
   for (const auto& s : result.series) {
     const auto& q = study.quantities[s.quantity];
@@ -37,6 +55,7 @@ void print(const scene::Study& study, const verify::StudyResult& result) {
                s.fit.determined ? "" : "  NOT DETERMINED");
     if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
   }
+  print_costs(result);
 }
 
 int converge(Options options) {
@@ -48,7 +67,7 @@ int converge(Options options) {
   if (!result.failed.empty()) return kFailed;
   if (!study.title.empty()) fmt::print("{}\n", study.title);
   print(study, result);
-  fmt::print("\nresults in {}: study.csv, fits.csv, convergence.svg, cost.svg\n", options.run.directory);
+  fmt::print("\nresults in {}: study.csv, fits.csv, costs.csv, convergence.svg, cost.svg\n", options.run.directory);
   for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
   return result.missed.empty() ? kDone : kCheckFailed;
 }

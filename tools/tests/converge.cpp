@@ -53,6 +53,22 @@ TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
   EXPECT_EQ(table.rows.size(), 10u);
   EXPECT_EQ(table.column("value")[0], r.runs[0].value[0]);
   EXPECT_EQ(scene::read_csv(s.directory + "/fits.csv").rows.size(), 4u);
+  EXPECT_EQ(table.column("factorise_seconds")[0], r.runs[0].phases.at("factorise"));
+  std::vector<double> unknowns, seconds;
+  for (std::size_t k = 3; k < 6; ++k) {
+    unknowns.push_back(static_cast<double>(r.runs[k].unknowns));
+    seconds.push_back(r.runs[k].phases.at("factorise"));
+  }
+  const auto costs = scene::read_csv(s.directory + "/costs.csv");
+  ASSERT_EQ(costs.rows.size(), r.costs.size());
+  int seen = 0;
+  for (std::size_t k = 0; k < r.costs.size(); ++k)
+    if (r.costs[k].variant == "right" && r.costs[k].what == "factorise_seconds") {
+      ++seen;
+      EXPECT_EQ(r.costs[k].fit.order, verify::fit_power(unknowns, seconds).order);
+      EXPECT_EQ(costs.column("exponent")[k], r.costs[k].fit.order);
+    }
+  EXPECT_EQ(seen, 1);
   for (const char* figure : {"/convergence.svg", "/cost.svg"}) {
     const std::string svg = scene::read_bytes(s.directory + figure);
     EXPECT_NE(svg.find("fy_top at 0.3, left"), std::string::npos) << figure;
@@ -84,6 +100,16 @@ TEST(Study, MeasuresErrorsAndIsACheckWhereOrdersAreAskedFor) {
   EXPECT_NEAR(r.series[0].fit.order, std::log2(r.series[0].error[0] / r.series[0].error[1]), 1e-6);
   const Fresh misses("orders", head + "[[quantity]]\nerror = \"energy\"\norder_within = [1.9, 2.1]\n");
   ASSERT_EQ(misses.run().missed.size(), 1u);
+}
+
+// A process starts with its parent's peak in getrusage's books.
+TEST(Study, TheMemoryOfARunIsItsOwn) {
+  const std::vector<char> large(std::size_t{400} << 20, 'x');
+  const Fresh s("memory", block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.1\n"));
+  for (const auto& run : s.run().runs) {
+    EXPECT_GT(run.megabytes, 5.0);
+    EXPECT_LT(run.megabytes, 300.0) << "of " << large.size() / 1000000 << " MB here";
+  }
 }
 
 TEST(Study, AFailedRunIsNamedAndTheOthersAreKept) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -159,14 +160,19 @@ void check(std::span<const double> h, std::span<const double> value) {
   }
 }
 
-// Fills in uncertainty and verdict; `unit` are the sizes of one unit of each parameter.
-void judge(const Fit& fit, const Solution& s, double limit_unit, LimitFit& out) {
-  const double p = s.parameter[fit.order_at()];
+// Half width of the confidence interval of a parameter of unit variance; NaN where nothing is left to tell.
+double spread_of(const Fit& fit, const Solution& s) {
   double squares = 0.0;
   for (const double r : s.residual) squares += r * r;
   const std::size_t n = fit.x.size(), m = fit.parameters();
-  const bool exact = n <= m;
-  const double spread = exact ? kNaN : std::sqrt(squares / static_cast<double>(n - m)) * student(n - m);
+  return n <= m ? kNaN : std::sqrt(squares / static_cast<double>(n - m)) * student(n - m);
+}
+
+// Fills in uncertainty and verdict; `unit` are the sizes of one unit of each parameter.
+void judge(const Fit& fit, const Solution& s, double limit_unit, LimitFit& out) {
+  const double p = s.parameter[fit.order_at()];
+  const bool exact = fit.x.size() <= fit.parameters();
+  const double spread = spread_of(fit, s);
   out.order_pm = spread * std::sqrt(s.variance[fit.order_at()]);
   out.limit_pm = fit.free_limit ? spread * std::sqrt(s.variance[0]) * limit_unit : 0.0;
   const double margin = 1e-6 * (fit.options.most_order - fit.options.least_order);
@@ -234,6 +240,39 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
     squares += left * left;
   }
   out.scatter = std::sqrt(squares / static_cast<double>(h.size()));
+  return out;
+}
+
+LimitFit fit_power(std::span<const double> x, std::span<const double> cost) {
+  if (x.size() != cost.size()) throw std::invalid_argument("a cost each size");
+  LimitFit out;
+  out.factor = out.order = out.order_pm = kNaN;
+  Fit fit;
+  fit.free_limit = false;
+  fit.options.least_order = -fit.options.most_order;
+  const double largest = x.empty() ? 1.0 : *std::max_element(x.begin(), x.end());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (!(x[k] > 0.0) || !std::isfinite(x[k])) throw std::invalid_argument("sizes must be positive");
+    if (!(cost[k] >= 0.0) || !std::isfinite(cost[k])) throw std::invalid_argument("costs must be finite, 0 or more");
+    if (cost[k] == 0.0) continue;
+    fit.x.push_back(x[k] / largest);
+    fit.y.push_back(std::log(cost[k]));
+  }
+  if (std::set(fit.x.begin(), fit.x.end()).size() < 3) {
+    out.remark = "an exponent needs three meshes that cost something";
+    return out;
+  }
+  const Solution s = fit.best();
+  out.order = s.parameter[1];
+  out.factor = std::exp(s.parameter[0]) * std::pow(largest, -out.order);
+  out.order_pm = spread_of(fit, s) * std::sqrt(s.variance[1]);
+  out.determined = true;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double left = cost[k] - out.factor * std::pow(x[k], out.order);
+    if (cost[k] > 0.0) squares += left * left;
+  }
+  out.scatter = std::sqrt(squares / static_cast<double>(fit.x.size()));
   return out;
 }
 

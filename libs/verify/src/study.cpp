@@ -9,6 +9,7 @@
 #include <mutex>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "cleft/scene/files.hpp"
 #include "cleft/scene/problem.hpp"
@@ -135,6 +136,23 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   return out;
 }
 
+std::vector<Cost> costs_of(std::span<const StudyRun> runs) {
+  std::vector<Cost> out;
+  std::vector<double> unknowns;
+  for (const auto& run : runs) unknowns.push_back(static_cast<double>(run.unknowns));
+  const auto add = [&](const std::string& what, const auto& of) {
+    std::vector<double> cost;
+    for (const auto& run : runs) cost.push_back(of(run));
+    out.push_back({runs[0].variant, what, fit_power(unknowns, cost)});
+  };
+  add("seconds", [](const StudyRun& run) { return run.seconds; });
+  add("megabytes", [](const StudyRun& run) { return run.megabytes; });
+  add("iterations", [](const StudyRun& run) { return static_cast<double>(run.iterations); });
+  for (const auto& [phase, seconds] : runs[0].phases)
+    add(phase + "_seconds", [&name = phase](const StudyRun& run) { return run.phases.at(name); });
+  return out;
+}
+
 void check_series(const Quantity& q, const Series& s, std::vector<std::string>& missed) {
   const std::string name = q.name + (s.variant.empty() ? "" : ", " + s.variant);
   const auto check = [&](const char* what, double value, const auto& within) {
@@ -184,8 +202,12 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
 
   const std::size_t meshes = study.meshes.size();
   for (auto& run : result.runs) read_counts(run);
-  for (std::size_t first = 0; first < result.runs.size(); first += meshes)
-    read_values(study, std::span(result.runs).subspan(first, meshes));
+  for (std::size_t first = 0; first < result.runs.size(); first += meshes) {
+    const auto of_variant = std::span(result.runs).subspan(first, meshes);
+    read_values(study, of_variant);
+    const auto costs = costs_of(of_variant);
+    result.costs.insert(result.costs.end(), costs.begin(), costs.end());
+  }
   for (std::size_t k = 0; k < study.quantities.size(); ++k)
     for (std::size_t v = 0; v < study.variants.size(); ++v) {
       result.series.push_back(series_of(study, k, result.runs, result.runs[v * meshes].variant));

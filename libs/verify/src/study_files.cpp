@@ -20,15 +20,18 @@ std::string cell(const std::string& text) {
 
 std::string runs_csv(const scene::Study& study, const StudyResult& result) {
   std::string out =
-      "quantity,variant,mesh,h,unknowns,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,"
-      "folder\n";
+      "quantity,variant,mesh,h,unknowns,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,";
+  for (const auto& [phase, seconds] : result.runs.at(0).phases) out += phase + "_seconds,";
+  out += "folder\n";
   for (const auto& s : result.series)
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       const auto& r = result.runs[s.runs[k]];
-      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},",
                      cell(study.quantities[s.quantity].name), cell(s.variant), r.mesh, r.h, r.unknowns,
                      r.value[s.quantity], s.error[k], s.error[k] / s.scale, r.seconds, r.megabytes, r.increments,
-                     r.iterations, r.cuts, cell(r.folder));
+                     r.iterations, r.cuts);
+      for (const auto& [phase, seconds] : r.phases) fmt::format_to(std::back_inserter(out), "{},", seconds);
+      out += cell(r.folder) + "\n";
     }
   return out;
 }
@@ -39,6 +42,14 @@ std::string fits_csv(const scene::Study& study, const StudyResult& result) {
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", cell(study.quantities[s.quantity].name),
                    cell(s.variant), s.fit.limit, s.fit.limit_pm, s.fit.order, s.fit.order_pm, s.fit.factor,
                    s.fit.scatter, s.fit.determined ? "yes" : "no", cell(s.fit.remark));
+  return out;
+}
+
+std::string costs_csv(const StudyResult& result) {
+  std::string out = "cost,variant,exponent,exponent_pm,factor,determined,remark\n";
+  for (const auto& c : result.costs)
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", c.what, cell(c.variant), c.fit.order,
+                   c.fit.order_pm, c.fit.factor, c.fit.determined ? "yes" : "no", cell(c.fit.remark));
   return out;
 }
 
@@ -65,6 +76,7 @@ report::Figure figure_of(const scene::Study& study, const StudyResult& result, b
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory) {
   scene::write_atomically(directory + "/study.csv", runs_csv(study, result));
   scene::write_atomically(directory + "/fits.csv", fits_csv(study, result));
+  scene::write_atomically(directory + "/costs.csv", costs_csv(result));
   report::draw(
       {drawing_of(figure_of(study, result, false), "convergence"), drawing_of(figure_of(study, result, true), "cost")},
       directory, "cleft converge");

@@ -101,7 +101,9 @@ void check_quantities(const scene::Study& study, const scene::Scene& s) {
 
 void read_counts(StudyRun& run) {
   const auto json = run_json(run);
-  run.seconds = json.at("seconds").at("total");
+  run.phases = json.at("seconds");
+  run.seconds = run.phases.at("total");
+  run.phases.erase("total");
   run.megabytes = json.at("peak_megabytes");
   run.increments = json.at("increments");
   run.iterations = json.at("iterations");

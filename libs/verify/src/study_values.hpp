@@ -11,7 +11,7 @@ namespace cleft::verify {
 /// Throws InputError where a quantity asks for what the scene does not have.
 void check_quantities(const scene::Study& study, const scene::Scene& scene);
 
-/// Reads seconds, counts and memory out of run.json.
+/// Reads seconds (of the phases, too), counts and memory out of run.json.
 void read_counts(StudyRun& run);
 
 /// Fills in the value of every quantity of the runs of one variant, coarsest mesh first.

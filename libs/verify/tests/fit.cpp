@@ -162,5 +162,57 @@ TEST(FitLimit, RefusesWhatIsNoSequence) {
   EXPECT_THROW(fit_limit(two, nan), std::invalid_argument);
 }
 
+TEST(FitPower, RecoversExactLaws) {
+  const std::vector<double> x{1e3, 4e3, 1.7e4, 6.6e4};
+  for (const double exponent : {-1.0, 0.0, 1.0, 1.4}) {
+    const auto fit = fit_power(x, model(x, 0.0, 3e-5, exponent));
+    EXPECT_NEAR(fit.order, exponent, 1e-8);
+    EXPECT_NEAR(fit.factor, 3e-5, 1e-11);
+    EXPECT_EQ(fit.limit, 0.0);
+    EXPECT_LT(fit.order_pm, 1e-6);
+    EXPECT_TRUE(fit.determined) << fit.remark;
+  }
+}
+
+TEST(FitPower, RecoversNoisyOnesWithinTheirUncertainty) {
+  for (const std::size_t count : {4U, 7U}) {
+    std::vector<double> x;
+    for (std::size_t k = 0; k < count; ++k) x.push_back(1e4 * std::pow(2.0, static_cast<double>(k)));
+    int held = 0;
+    double widest = 0.0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+      std::mt19937 random(seed);
+      std::normal_distribution<double> noise(0.0, 0.05);
+      auto seconds = model(x, 0.0, 2e-7, 1.3);
+      for (double& value : seconds) value *= std::exp(noise(random));
+      const auto fit = fit_power(x, seconds);
+      held += std::fabs(fit.order - 1.3) <= fit.order_pm;
+      widest = std::fmax(widest, fit.order_pm);
+    }
+    EXPECT_GE(held, 90) << count << " points";
+    EXPECT_LE(widest, 0.4) << count << " points";
+  }
+}
+
+TEST(FitPower, LeavesOutWhatTookNothing) {
+  const std::vector<double> x{1.0, 2.0, 4.0, 8.0}, cost{0.0, 4.0, 16.0, 64.0};
+  EXPECT_NEAR(fit_power(x, cost).order, 2.0, 1e-8);
+}
+
+TEST(FitPower, SaysWhereThereAreTooFew) {
+  const std::vector<double> x{1.0, 2.0, 4.0}, same{2.0, 2.0, 2.0}, rising{1.0, 2.0, 4.0}, nothing{0.0, 0.0, 0.0};
+  const std::pair<std::vector<double>, std::vector<double>> faults[] = {
+      {{}, {}}, {{1.0, 2.0}, {1.0, 2.0}}, {x, nothing}, {x, {0.0, 1.0, 2.0}}, {same, rising}};
+  for (const auto& [at, cost] : faults) {
+    const auto fit = fit_power(at, cost);
+    EXPECT_FALSE(fit.determined);
+    EXPECT_TRUE(std::isnan(fit.order) && std::isnan(fit.order_pm));
+    EXPECT_NE(fit.remark.find("needs three"), std::string::npos) << fit.remark;
+  }
+  EXPECT_THROW(fit_power(x, std::vector<double>{1.0}), std::invalid_argument);
+  EXPECT_THROW(fit_power(x, std::vector<double>{1.0, 2.0, std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(fit_power(std::vector<double>{0.0, 1.0, 2.0}, rising), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace cleft::verify

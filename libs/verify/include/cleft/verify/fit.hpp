@@ -1,5 +1,5 @@
 /// \file
-/// Orders and limits of sequences of results over element sizes.
+/// Orders and limits of sequences of results over element sizes; powers by which costs grow.
 #pragma once
 
 #include <optional>
@@ -34,5 +34,11 @@ struct LimitFit {
 /// and `value` have equal lengths. Throws std::invalid_argument on fewer than two results, on h that are not positive
 /// or not distinct, or on values that are not finite.
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options = {});
+
+/// The model C x^p fitted to costs over sizes (seconds over unknowns), in relative error by the same means: a limit of
+/// 0 that p may have any sign for. Costs of 0 are left out. Below three costs over three distinct sizes p is NaN and
+/// the remark says so. Throws std::invalid_argument on unequal lengths, on x that are not positive, or on costs below 0
+/// or not finite.
+LimitFit fit_power(std::span<const double> x, std::span<const double> cost);
 
 }  // namespace cleft::verify

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct StudyRun {
   std::string folder;
   bool reused = false;
   double seconds = 0.0, megabytes = 0.0;
+  std::map<std::string, double> phases;  ///< seconds of each phase of the run
   long increments = 0, iterations = 0, cuts = 0;
   std::vector<double> value;  ///< per quantity; NaN where there is none (profiles of the finest mesh)
 };
@@ -42,16 +44,24 @@ struct Series {
   LimitFit fit;
 };
 
+/// How one cost of the runs of one variant grows: C unknowns^p.
+struct Cost {
+  std::string variant;
+  std::string what;  ///< seconds, megabytes, iterations, or seconds of a phase (factorise_seconds)
+  LimitFit fit;
+};
+
 struct StudyResult {
-  std::vector<StudyRun> runs;       ///< variant by variant, coarsest mesh first
-  std::vector<Series> series;       ///< empty if a run failed
+  std::vector<StudyRun> runs;  ///< variant by variant, coarsest mesh first
+  std::vector<Series> series;  ///< empty if a run failed, as costs
+  std::vector<Cost> costs;
   std::vector<std::string> failed;  ///< runs that did not reach their end, and where their output is
   std::vector<std::string> missed;  ///< orders and limits that are not where the study says that they must be
 };
 
-/// Validates everything, runs what has not been run before, fits, and writes study.csv, fits.csv and the figures
-/// convergence.svg and cost.svg (drawn by gnuplot; their scripts stay beside them). Throws InputError on a bad study or
-/// scene, before anything is run, and std::runtime_error where files cannot be written.
+/// Validates everything, runs what has not been run before, fits, and writes study.csv, fits.csv, costs.csv and the
+/// figures convergence.svg and cost.svg (drawn by gnuplot; their scripts stay beside them). Throws InputError on a bad
+/// study or scene, before anything is run, and std::runtime_error where files cannot be written.
 StudyResult run_study(const scene::Study& study, const StudyOptions& options);
 
 }  // namespace cleft::verify
