@@ -1,4 +1,4 @@
-# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DLIBDIR= -DCOMPILER= -DFLAGS= -DVERSION= -P pkg_config.cmake
+# cmake -DBUILD=<build tree> -DWORK=<scratch folder> -DSCENE=<scene file> -DLIBDIR= -DCOMPILER= -DFLAGS= -DVERSION= -P pkg_config.cmake
 # Installs the build tree, then compiles and runs the consumer with nothing but what pkg-config says.
 
 cmake_minimum_required(VERSION 3.25)
@@ -15,4 +15,4 @@ answer(flags pkg-config --cflags --libs cleft)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 separate_arguments(FLAGS UNIX_COMMAND "${FLAGS}")
 run(${COMPILER} ${FLAGS} ${CMAKE_CURRENT_LIST_DIR}/consumer/main.cpp -o ${WORK}/consumer ${flags})
-run(${WORK}/consumer)
+run(${WORK}/consumer ${SCENE})

@@ -77,7 +77,6 @@ scene::Scene until_rounding(scene::Scene scene) {
   solver.min_iterations = std::max(solver.min_iterations, 4);
   solver.max_iterations = std::max(solver.max_iterations, solver.min_iterations + 8);
   solver.residual_tolerance = std::numeric_limits<double>::min();  // the level of rounding counts as zero
-  solver.extrapolate = false;  // from farther off more corrections show before rounding hides them
   return scene;
 }
 

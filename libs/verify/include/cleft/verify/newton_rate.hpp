@@ -46,8 +46,8 @@ struct RateVerdict {
 };
 RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement& required);
 
-/// The scene with iterations that start from the last increment as it was, go on until rounding stops them, and make at
-/// least four corrections: little can be said of an iteration that stops after two because they were good enough.
+/// The scene with iterations that go on until rounding stops them, and make at least four corrections: little can be
+/// said of an iteration that stops after two because they were good enough.
 scene::Scene until_rounding(scene::Scene scene);
 
 }  // namespace cleft::verify
