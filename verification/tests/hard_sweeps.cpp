@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <numbers>
 
@@ -155,11 +156,13 @@ TEST_P(HardRandom, NoCrackOfAThousandFails) {
   const int wanted = asked == nullptr ? 200 : std::atoi(asked);
   Case table(fmt::format("{} random cracks on random meshes, {}", wanted, method));
   auto numbers = sheet(method == "mortar" ? "random_mortar" : "random");
+  const std::string folder = testing::TempDir() + "random_" + method + "/";
+  std::filesystem::create_directories(folder);
   int solved = 0, failed = 0, cuts = 0, most = 0, refused = 0, loose = 0, stressed = 0;
   for (unsigned seed = 0; solved < wanted; ++seed) {
     ASSERT_LT(seed, 10U * static_cast<unsigned>(wanted) + 100U);
     try {
-      auto overrides = random_crack(seed, testing::TempDir());
+      auto overrides = random_crack(seed, folder);
       overrides.push_back(contact_of(method));
       const Swept now = sweep(hard_scene("block", overrides));
       loose += now.loose;
