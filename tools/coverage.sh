@@ -2,7 +2,7 @@
 # Which lines of libs/ the tests of the libraries and of the program execute: builds them with gcc's counters (build/coverage), runs them,
 # and prints a line a file and the sum. The verification suite is left out.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-install_missing_packages gcovr
+install_missing_packages gcovr chromium chromium-driver python3-selenium  # the pages of `cleft report` are tried in a browser
 
 say "building the tests of the libraries and of the program with counters in build/coverage"
 cmake --preset coverage

@@ -98,7 +98,11 @@ void print_loads(const scene::Scene& scene) {
                                                     g->density)));
   const auto& loading = scene.loading;
   print("increments",
-        fmt::format("{}, outputs at {}", loading.steps,
+        fmt::format("{}, outputs at {}",
+                    scene.solver.accuracy > 0.0
+                        ? fmt::format("at most {} and as few as leave {:g} of the work unexplained", loading.steps,
+                                      scene.solver.accuracy)
+                        : fmt::format("{}", loading.steps),
                     loading.every_step ? "every one" : fmt::format("{}", fmt::join(loading.outputs, ", "))));
 }
 

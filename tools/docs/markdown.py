@@ -93,7 +93,12 @@ def keys():
 
 def verbs():
     """The names of the program's subcommands."""
-    listed = output("--help").split("Subcommands:\n")[1]
+    return listed_verbs(output("--help"))
+
+
+def listed_verbs(text):
+    """The first words of the lines below "Subcommands:", up to the next empty one."""
+    listed = text.split("Subcommands:\n")[1].split("\n\n")[0]
     return [line.split()[0] for line in listed.splitlines() if line.strip()]
 
 

@@ -94,8 +94,7 @@ int newton(const Options& options) {
   print(verdict, options);
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",
-             !verdict.enough
-                 ? "fewer than half of the increments can be judged (longer ones show more, --set loading.steps=N)"
+             !verdict.enough ? "fewer than half of the increments can be judged; longer ones show more (loading.steps)"
              : verdict.lowest() < options.required.least
                  ? fmt::format("an order below {:.4g}", options.required.least)
                  : fmt::format("fewer than {:.0f} % reach the order", 100 * options.required.share));

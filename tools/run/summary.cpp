@@ -57,8 +57,9 @@ std::string end_of(const scene::RunResult& r) {
   const char* const how = r.end == End::Done      ? "done"
                           : r.end == End::Failed  ? "failed"
                           : r.end == End::Stopped ? "interrupted"
-                                                  : "stopped, since a file cannot be written";
-  return fmt::format("{} at load {:.6g}", how, r.load);
+                                                  : "stopped";
+  const char* const why = r.end == End::NotWritten ? ", since a file cannot be written" : "";
+  return fmt::format("{} at load {:.6g}{}", how, r.load, why);
 }
 
 std::string files_of(const scene::Scene& scene, const scene::RunResult& r) {
@@ -79,7 +80,7 @@ std::string finer(const scene::MeshSpec& mesh) {
 }
 
 std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResult& r, const std::string& directory) {
-  constexpr double kUnbalanced = 0.01, kSlow = 1.8;
+  constexpr double kSlow = 1.8;
   constexpr std::size_t kMost = 3;
   const bool done = r.end == scene::RunResult::End::Done;
   std::vector<std::string> out;
@@ -87,9 +88,6 @@ std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResu
   if (r.increments > 0)
     out.push_back(fmt::format("`cleft report {}` draws curves, mesh and cracks in one page", directory));
   const std::string more_steps = fmt::format("`--set loading.steps={}`", 2 * scene.loading.steps);
-  if (done && std::fabs(r.energies.imbalance()) > kUnbalanced * std::fabs(r.energies.external_work))
-    out.push_back(fmt::format("the same with {} into another folder: the imbalance of the energy should halve at least",
-                              more_steps));
   if (r.cuts > 0)
     out.push_back(fmt::format("the column cuts of history.csv: where the {} failed increments were; {} may need none",
                               r.cuts, more_steps));

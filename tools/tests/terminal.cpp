@@ -57,7 +57,6 @@ TEST(Summary, SaysWhatToLookAtNext) {
   EXPECT_TRUE(has(cut, "`--set loading.steps=8`")) << cut.text;
   const Outcome coarse = run_of("uniaxial.toml --set loading.steps=1 --set boundary.top.uy=0.04");
   EXPECT_TRUE(has(coarse, "% of the energy are not accounted for")) << coarse.text;
-  EXPECT_TRUE(has(coarse, "the same with `--set loading.steps=2` into another folder: the imbalance")) << coarse.text;
   const Outcome failed = run_of("block.toml --set solver.max_iterations=1 --set solver.min_step=0.1");
   EXPECT_TRUE(has(failed, "next the message below says why")) << failed.text;
   EXPECT_FALSE(has(failed, "cleft report")) << "there is nothing to draw";

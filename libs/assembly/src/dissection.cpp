@@ -18,8 +18,9 @@ std::vector<Index> nested_dissection(const BlockMatrix& matrix) {
     starts.push_back(static_cast<idx_t>(neighbours.size()));
   }
   std::vector<idx_t> order(static_cast<std::size_t>(size)), position(static_cast<std::size_t>(size));
-  if (METIS_NodeND(&size, starts.data(), neighbours.data(), nullptr, nullptr, order.data(), position.data()) ==
-      METIS_ERROR_MEMORY)
+  // of its failures only one can happen here
+  if (METIS_NodeND(&size, starts.data(), neighbours.data(), nullptr, nullptr, order.data(), position.data()) !=
+      METIS_OK)
     throw std::bad_alloc();
   std::vector<Index> rows(2 * position.size());
   for (std::size_t k = 0; k < position.size(); ++k) {

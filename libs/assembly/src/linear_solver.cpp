@@ -40,6 +40,7 @@ struct LinearSolver::Data {
     holder = Holder::Mumps;
     factors = mumps.factorise(matrix);
     if (factors == Factors::Regular) return;
+    ++seconds.second_opinions;
     holder = Holder::Umfpack;
     factors = umfpack.factorise(matrix);
   }
@@ -52,6 +53,7 @@ SolverSeconds& SolverSeconds::operator+=(const SolverSeconds& other) {
   analyses += other.analyses;
   factorisations += other.factorisations;
   unsymmetric_fallbacks += other.unsymmetric_fallbacks;
+  second_opinions += other.second_opinions;
   return *this;
 }
 
@@ -84,14 +86,14 @@ double LinearSolver::condition(const BlockMatrix& matrix) {
   VecX probe(matrix.rows());
   for (Eigen::Index k = 0; k < probe.size(); ++k) probe[k] = std::sin(static_cast<double>(k * k));  // no pattern in it
   for (int k = 0; k < 2; ++k) {
-    const VecX grown = solve(matrix, probe.normalized());
+    const VecX grown = solve(probe.normalized());
     if (!grown.allFinite()) return std::numeric_limits<double>::infinity();
     probe = grown;
   }
   return Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).cwiseAbs().maxCoeff() * probe.norm();
 }
 
-VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
+VecX LinearSolver::solve(const VecX& b) {
   auto& d = *data_;
   const PhaseTimer timer(d.seconds.solve);
   switch (d.holder) {
@@ -100,7 +102,7 @@ VecX LinearSolver::solve(const BlockMatrix& matrix, const VecX& b) {
     case Data::Holder::Mumps:
       return d.mumps.solve(b);
     default:
-      return d.umfpack.solve(matrix, b);
+      return d.umfpack.solve(b);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "mumps.hpp"
 
+#include <limits>
 #include <mutex>
 #include <new>
 
@@ -17,17 +18,22 @@ constexpr int kUseWorldCommunicator = -987654;
 MUMPS_INT& control(DMUMPS_STRUC_C& data, int number) { return data.icntl[number - 1]; }
 MUMPS_INT outcome(const DMUMPS_STRUC_C& data, int number) { return data.infog[number - 1]; }
 
-constexpr int kOutOfMemory = -13;
+bool out_of_memory(int error) { return error == -7 || error == -13; }
 bool lacked_workspace(int error) { return error == -8 || error == -9; }
+
+// The outcome of a job, but for lack of memory.
+int checked(int outcome) {
+  if (out_of_memory(outcome)) throw std::bad_alloc();
+  return outcome;
+}
 
 }  // namespace
 
-int Mumps::call(int job) {
+int Mumps::call(int job) noexcept {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   data_->job = job;
   dmumps_c(data_.get());
-  if (outcome(*data_, 1) == kOutOfMemory) throw std::bad_alloc();
   return outcome(*data_, 1);
 }
 
@@ -45,9 +51,9 @@ void Mumps::analyse(const BlockMatrix& m) {
   d.comm_fortran = kUseWorldCommunicator;
   d.par = 1;
   d.sym = 0;
-  call(kStart);
+  checked(call(kStart));
   for (const int stream : {1, 2, 3, 4}) control(d, stream) = 0;  // prints nothing
-  control(d, 6) = 0;                                             // no permutation of columns: the diagonal is good
+  control(d, 6) = 0;                                             // no permutation of columns: the pattern is symmetric
   control(d, 8) = 0;                                             // no scaling: the matrix comes scaled
   control(d, 10) = 0;                                            // no refinement
   control(d, 14) = 30;                                           // per cent of workspace beyond the estimate
@@ -73,8 +79,9 @@ void Mumps::analyse(const BlockMatrix& m) {
     for (Index& position : order) ++position;
     d.perm_in = order.data();
   }
-  call(kAnalyse);
+  const int analysed = call(kAnalyse);
   d.perm_in = nullptr;
+  checked(analysed);
 }
 
 Factors Mumps::factorise(const BlockMatrix& m) {
@@ -84,10 +91,10 @@ Factors Mumps::factorise(const BlockMatrix& m) {
   d.a = const_cast<double*>(m.values().data());
   const double largest = Eigen::Map<const VecX>(m.values().data(), m.nonzeros()).cwiseAbs().maxCoeff();
   d.cntl[2] = -kSuspiciousPivot * largest;
-  int error = call(kFactorise);
+  int error = checked(call(kFactorise));
   for (int doubled = 0; lacked_workspace(error) && doubled < 6; ++doubled) {
     control(d, 14) *= 2;
-    error = call(kFactorise);
+    error = checked(call(kFactorise));
   }
   constexpr int kTinyPivots = 28;
   return error == 0 && outcome(d, kTinyPivots) == 0 ? Factors::Regular : Factors::Doubtful;
@@ -96,7 +103,7 @@ Factors Mumps::factorise(const BlockMatrix& m) {
 VecX Mumps::solve(const VecX& b) {
   VecX x = b;
   data_->rhs = x.data();
-  call(kSolve);
+  if (checked(call(kSolve)) < 0) x.setConstant(std::numeric_limits<double>::quiet_NaN());
   data_->rhs = nullptr;
   return x;
 }

@@ -27,7 +27,7 @@ class Mumps {
   VecX solve(const VecX& b);
 
  private:
-  int call(int job);
+  int call(int job) noexcept;
   void analyse(const BlockMatrix& matrix);
 
   SolverSeconds& seconds_;

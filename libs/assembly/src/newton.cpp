@@ -306,9 +306,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const double before = s.analyse + s.factorise + s.solve;
     VecX du;
     const Factors factors = it.kept ? Factors::Regular : solver.factorise(assembler.matrix());
-    if (factors != Factors::None) du = solver.solve(assembler.matrix(), rhs);
+    if (factors != Factors::None) du = solver.solve(rhs);
     if (factors != Factors::None && along_path) {  // theory (9.4)
-      const VecX along = solver.solve(assembler.matrix(), by_load);
+      const VecX along = solver.solve(by_load);
       const double missing = goal.stretch - state.progress.dot(u + du - state.displacement);
       const double change_of_load = missing / state.progress.dot(along);
       du += change_of_load * along;

@@ -21,8 +21,9 @@ constexpr double kRises = 0.5;              // of the planned increment: the loa
 
 std::vector<double> targets_of(const StepControls& controls) {
   std::vector<double> all(controls.outputs);
-  all.insert(all.end(), controls.kinks.begin(), controls.kinks.end());
-  const int equal = controls.accuracy > 0.0 ? 1 : controls.steps;
+  const bool free = controls.accuracy > 0.0;
+  if (free) all.insert(all.end(), controls.kinks.begin(), controls.kinks.end());
+  const int equal = free ? 1 : controls.steps;
   for (int k = 1; k <= equal; ++k) all.push_back(static_cast<double>(k) / equal);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSameLoad; }), all.end());
@@ -117,10 +118,11 @@ void LoadStepper::lengthen(bool easy, double missed) {
   if (place_.stretch == 0.0) {
     const double regained = easy ? std::min(2.0 * place_.step, planned) : std::min(place_.step, planned);
     if (controls_.accuracy > 0.0) {
-      // what the trapezoidal rule misses is of second order in the increment
+      // theory (9.6): what the trapezoidal rule misses is of second order in the increment
       constexpr double kCaution = 0.8;
       const double fits = kCaution * std::sqrt(controls_.accuracy / std::max(missed, 1e-3 * controls_.accuracy));
-      place_.step = std::max(regained, place_.step * std::clamp(fits, 0.5, easy ? 2.0 : 1.0));
+      const double taken = state_.load - state_.previous_load;
+      place_.step = std::max(regained, taken * std::clamp(fits, 0.5, easy ? 2.0 : 1.0));
     } else {
       place_.step = regained;
     }

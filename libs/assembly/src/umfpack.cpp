@@ -18,7 +18,7 @@ void Umfpack::forget() {
 Factors Umfpack::factorise(const BlockMatrix& m) {
   std::array<double, UMFPACK_CONTROL> control{};
   umfpack_di_defaults(control.data());
-  control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // the pattern is, and pivots on the diagonal are good
+  control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;  // which the pattern is
   if (!symbolic_) {
     const PhaseTimer timer(seconds_.analyse);
     ++seconds_.analyses;
@@ -36,10 +36,12 @@ Factors Umfpack::factorise(const BlockMatrix& m) {
   return status == UMFPACK_OK ? graded(info[UMFPACK_RCOND]) : Factors::None;
 }
 
-VecX Umfpack::solve(const BlockMatrix& m, const VecX& b) const {
-  VecX x(m.rows());
-  umfpack_di_solve(UMFPACK_A, m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), x.data(), b.data(),
-                   numeric_, nullptr, nullptr);
+VecX Umfpack::solve(const VecX& b) const {
+  std::array<double, UMFPACK_CONTROL> control{};
+  umfpack_di_defaults(control.data());
+  control[UMFPACK_IRSTEP] = 0;  // no refinement, for which it would need the matrix once more
+  VecX x(b.size());
+  umfpack_di_solve(UMFPACK_A, nullptr, nullptr, nullptr, x.data(), b.data(), numeric_, control.data(), nullptr);
   return x;
 }
 

@@ -14,7 +14,7 @@ class Umfpack {
 
   void forget();  ///< the next matrix has another pattern
   Factors factorise(const BlockMatrix& matrix);
-  VecX solve(const BlockMatrix& matrix, const VecX& b) const;
+  VecX solve(const VecX& b) const;
 
  private:
   SolverSeconds& seconds_;

@@ -52,7 +52,23 @@ TEST(Accuracy, StillHitsOutputsAndTurnsOfTheLoad) {
   const Ride r = ride(1e-2, 20, {0.37});
   for (const double load : {0.37, 0.5, 1.0}) EXPECT_NE(std::find(r.loads.begin(), r.loads.end(), load), r.loads.end());
   const Ride equal = ride(0.0, 4, {0.37});
-  EXPECT_NE(std::find(equal.loads.begin(), equal.loads.end(), 0.75), equal.loads.end());
+  EXPECT_EQ(equal.loads, (std::vector{0.25, 0.5, 0.75, 1.0})) << "without an accuracy increments are equal";
+}
+
+TEST(Accuracy, LengthensTheIncrementThatWasMadeNotTheOneThatWasPlanned) {
+  const Model model = models::block(8, contact::NegativeSide::Left);
+  StepControls controls = models::in_steps(50);
+  controls.accuracy = 1e-2;
+  LoadStepper stepper(model, controls);
+  ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  for (int k = 0; k < 6; ++k) {  // as where the load of a crack's advance is found
+    Event close;
+    close.before = stepper.state().load + 1e-3;
+    ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance({}, close)));
+  }
+  const double before = stepper.state().load;
+  ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  EXPECT_LE(stepper.state().load - before, 1.0 / 50 + 1e-12);
 }
 
 }  // namespace

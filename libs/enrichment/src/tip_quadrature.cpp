@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/geometry/distance.hpp"
+
 namespace cleft::enrichment {
 
 namespace {
@@ -22,12 +24,6 @@ double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 double size_of(const Corners& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-}
-
-double distance(const Vec2& a, const Vec2& b, const Vec2& point) {
-  const Vec2 along = b - a;
-  const double fraction = std::clamp((point - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - a - fraction * along).norm();
 }
 
 std::array<Corners, 4> quarters(const Corners& t) {
@@ -74,7 +70,7 @@ constexpr std::array<GaussPoint, 5> kGauss{{{0.046910077030668, 0.11846344252809
 // large angle.
 void place_polar(const Corners& t, int depth, Points& points) {
   const Vec2 &tip = t[0], &a = t[1], &b = t[2];
-  if ((b - a).norm() > kLargest * distance(a, b, tip) && depth < kDeepest) {
+  if ((b - a).norm() > kLargest * geometry::distance_to_segment(a, b, tip) && depth < kDeepest) {
     const Vec2 middle = 0.5 * (a + b);
     place_polar({tip, a, middle}, depth + 1, points);
     place_polar({tip, middle, b}, depth + 1, points);
@@ -103,7 +99,9 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
     }
     return;
   }
-  const double away = std::min({distance(t[0], t[1], tip), distance(t[1], t[2], tip), distance(t[2], t[0], tip)});
+  const double away =
+      std::min({geometry::distance_to_segment(t[0], t[1], tip), geometry::distance_to_segment(t[1], t[2], tip),
+                geometry::distance_to_segment(t[2], t[0], tip)});
   if (size <= kSmall * away) {
     place_quadratic(t, points);
   } else if (size <= kLargest * away || depth == kDeepest) {

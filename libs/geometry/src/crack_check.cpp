@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cleft/geometry/distance.hpp"
 #include "cleft/geometry/segment_grid.hpp"
 #include "cleft/support/error.hpp"
-#include "distance.hpp"
 #include "predicates.hpp"
 
 namespace cleft::geometry {

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/geometry/distance.hpp"
 #include "cleft/support/error.hpp"
-#include "distance.hpp"
 
 namespace cleft::geometry {
 namespace {

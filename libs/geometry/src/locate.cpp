@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "distance.hpp"
+#include "cleft/geometry/distance.hpp"
 #include "trace.hpp"
 
 namespace cleft::geometry {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cleft/geometry/delaunay.hpp"
-#include "distance.hpp"
+#include "cleft/geometry/distance.hpp"
 
 namespace cleft::geometry {
 namespace {

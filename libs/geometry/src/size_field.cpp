@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "distance.hpp"
+#include "cleft/geometry/distance.hpp"
 
 namespace cleft::geometry {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "cleft/geometry/distance.hpp"
 #include "cleft/support/error.hpp"
-#include "distance.hpp"
 #include "split.hpp"
 #include "tips.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "cleft/geometry/distance.hpp"
 #include "cleft/scene/problem.hpp"
 #include "meshing.hpp"
 
@@ -22,19 +23,21 @@ constexpr double kIncompressible = 0.49;  // Poisson's ratio
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
-double distance(const Vec2& x, const Vec2& a, const Vec2& b) {
-  const double place = std::clamp((x - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (a + place * (b - a) - x).norm();
-}
+// The edges of the boundary.
+struct Outline {
+  std::vector<std::array<Vec2, 2>> edges;
 
-double distance_to_boundary(const geometry::Mesh& mesh, const Vec2& x) {
-  double out = std::numeric_limits<double>::infinity();
-  const auto edges = geometry::edges_of(mesh);
-  for (std::size_t e = 0; e < edges.nodes.size(); ++e)
-    if (edges.triangles[e][1] == kNone)
-      out = std::min(out, distance(x, mesh.nodes[edges.nodes[e][0]], mesh.nodes[edges.nodes[e][1]]));
-  return out;
-}
+  explicit Outline(const geometry::Mesh& mesh) {
+    const auto all = geometry::edges_of(mesh);
+    for (std::size_t e = 0; e < all.nodes.size(); ++e)
+      if (all.triangles[e][1] == kNone) edges.push_back({mesh.nodes[all.nodes[e][0]], mesh.nodes[all.nodes[e][1]]});
+  }
+  double distance(const Vec2& x) const {
+    double out = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : edges) out = std::min(out, geometry::distance_to_segment(a, b, x));
+    return out;
+  }
+};
 
 // Of the largest element that holds the point, or has it on an edge.
 double size_at(const geometry::Mesh& mesh, const Vec2& x) {
@@ -60,10 +63,10 @@ void about_moved_end(const geometry::Mesh& mesh, const std::string& crack, const
                     crack, at(end.nominal), at(end.effective), (end.nominal - end.effective).norm()));
 }
 
-void about_tip(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end, double ball,
-               Lines& out) {
+void about_tip(const geometry::Mesh& mesh, const Outline& outline, const std::string& crack,
+               const geometry::CrackEnd& end, double ball, Lines& out) {
   if (end.kind != geometry::CrackEnd::Kind::Tip) return;
-  const double size = size_at(mesh, end.effective), away = distance_to_boundary(mesh, end.effective);
+  const double size = size_at(mesh, end.effective), away = outline.distance(end.effective);
   if (away < kNear * size)
     out.push_back(
         fmt::format("{}: only {:.2g} element sizes lie between the tip {} and the boundary, too few to carry "
@@ -112,13 +115,13 @@ void about_contact(const CrackSpec& spec, const std::string& crack, const contac
                   "an oscillating shear traction, and smaller increments", "slip where the faces should stick", out);
 }
 
-void about_crack(const Scene& scene, const assembly::Model& model, std::size_t k, double size, double scale,
-                 Lines& out) {
+void about_crack(const Scene& scene, const assembly::Model& model, const Outline& outline, std::size_t k, double size,
+                 double scale, Lines& out) {
   const auto& spec = scene.cracks[k];
   const std::string crack = "crack '" + spec.name + "'";
   const auto& ends = model.cut.cracks[k].ends;
   for (const auto& end : ends) about_moved_end(model.mesh, crack, end, out);
-  for (const auto& end : ends) about_tip(model.mesh, crack, end, scene.tip_enrichment, out);
+  for (const auto& end : ends) about_tip(model.mesh, outline, crack, end, scene.tip_enrichment, out);
   double within = 0.0;
   for (Index s = model.cut.cracks[k].first_segment; s < model.cut.cracks[k].last_segment; ++s)
     within += model.cut.segments[s].s_end - model.cut.segments[s].s_start;
@@ -153,7 +156,10 @@ void about_material(const Scene& scene, const MaterialSpec& m, Lines& out) {
 std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model) {
   Lines out;
   const auto scale = penalty_scale(scene, model), size = cut_sizes(model);
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, k, size[k], scale[k], out);
+  if (!scene.cracks.empty()) {
+    const Outline outline(model.mesh);
+    for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, outline, k, size[k], scale[k], out);
+  }
   for (const auto& material : scene.materials) about_material(scene, material, out);
   for (const auto& b : scene.boundaries)
     if (b.ux || b.uy || b.affine || b.field) {

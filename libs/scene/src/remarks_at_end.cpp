@@ -39,19 +39,16 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     if (scene.cracks[k].mortar.on) continue;
     for (const auto side : {geometry::Side::Left, geometry::Side::Right}) {
-      std::vector<std::pair<double, double>> pressed;
+      std::vector<Pressed> along;
       for (const auto& p : points)
-        if (p.crack == static_cast<Index>(k) && p.side == side && p.status != contact::Status::Open)
-          pressed.emplace_back(p.s, p.pressure);
-      std::ranges::sort(pressed);
-      std::vector<double> place, value;
-      for (const auto& [s, pressure] : pressed) place.push_back(s), value.push_back(pressure);
-      const double much = oscillation(place, value);
-      if (much > kOscillates * kInner * (place.empty() ? 0.0 : place.back() - place.front()) / sizes[k])
+        if (p.crack == static_cast<Index>(k) && p.side == side)
+          along.emplace_back(p.s, p.pressure, p.status != contact::Status::Open);
+      const double much = worst_zone(along, sizes[k]);
+      if (much > kOscillates)
         out.push_back(
-            fmt::format("crack '{}': the contact pressure oscillates: beyond one rise and one fall along the crack it "
-                        "varies by {:.2g} times its maximum; a softer penalty, contact.method = \"mortar\", or a finer "
-                        "mesh",
+            fmt::format("crack '{}': the contact pressure oscillates: beyond one rise and one fall of a zone it varies "
+                        "by {:.2g} times its maximum an element; a softer penalty, contact.method = \"mortar\", or a "
+                        "finer mesh",
                         scene.cracks[k].name, much));
     }
   }
@@ -99,6 +96,25 @@ double oscillation(std::span<const double> place, std::span<const double> value)
   for (std::size_t k = 1; k < inner.size(); ++k) variation += std::fabs(inner[k] - inner[k - 1]);
   const double most = std::ranges::max(inner);
   return most > 0.0 ? (variation - (2.0 * most - inner.front() - inner.back())) / most : 0.0;
+}
+
+double worst_zone(std::vector<Pressed> along, double size) {
+  std::ranges::sort(along);
+  along.emplace_back(0.0, 0.0, false);  // the end of the last zone
+  double worst = 0.0;
+  std::vector<double> place, value;
+  for (const auto& [s, pressure, touches] : along) {
+    if (touches) {
+      place.push_back(s);
+      value.push_back(pressure);
+      continue;
+    }
+    if (place.size() > 1)
+      worst = std::max(worst, oscillation(place, value) / (kInner * (place.back() - place.front()) / size));
+    place.clear();
+    value.clear();
+  }
+  return worst;
 }
 
 std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper) {

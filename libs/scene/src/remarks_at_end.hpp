@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cleft/assembly/stepping.hpp"
@@ -13,6 +14,12 @@ namespace cleft::scene {
 /// How much the values vary beyond one rise and one fall, over their maximum; 0 where none is positive. What lies in
 /// the outer tenths of `place`, which ascends, does not count.
 double oscillation(std::span<const double> place, std::span<const double> value);
+
+/// A contact point: arc length (m), pressure (Pa), and whether the faces touch there.
+using Pressed = std::tuple<double, double, bool>;
+
+/// The largest oscillation of a zone in which the faces touch, over the elements of `size` metres that it counts in.
+double worst_zone(std::vector<Pressed> along, double size);
 
 /// On the last converged state, one line each, with the figure that speaks for it: faces that overlap, a contact
 /// pressure that oscillates, energy that is not accounted for, flow in which triangles lock. Nothing before the first

@@ -118,6 +118,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   for (const auto& [phase, spent] : result.phases) j["seconds"][phase] = spent;
   j["assemblies"] = evolution.assembly_seconds().assemblies;
   j["factorisations"] = solver.factorisations;
+  j["factorisations_repeated"] = solver.second_opinions;
   j["analyses"] = solver.analyses;
   j["linear"] = model.is_linear();
   const auto& history = stepper.state().history;

@@ -140,6 +140,18 @@ TEST(Oscillation, IsWhatAProfileVariesBeyondOneRiseAndOneFall) {
   EXPECT_EQ(oscillation({}, {}), 0.0);
 }
 
+TEST(Oscillation, IsThatOfEveryZoneOfContactByItself) {
+  std::vector<Pressed> humps, teeth;
+  for (int k = 0; k <= 100; ++k) {
+    const double height = std::sin(2.0 * std::numbers::pi * k / 100.0);
+    humps.emplace_back(k, std::fabs(height), std::fabs(height) > 0.1);
+    teeth.emplace_back(k, 1.0 + 0.1 * (k % 2), true);
+  }
+  EXPECT_NEAR(worst_zone(humps, 1.0), 0.0, 1e-12);
+  EXPECT_NEAR(worst_zone(teeth, 1.0), (80 * 0.1 - 0.2) / 1.1 / 80.0, 1e-9);
+  EXPECT_EQ(worst_zone({}, 1.0), 0.0);
+}
+
 // What run() says at its end, which run.json repeats.
 std::string at_end(const std::vector<std::string>& overrides, const std::string& text = kSound) {
   const Folder folder;

@@ -41,6 +41,16 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
+TEST(Run, ResumesIncrementsOfAnAccuracyBitForBit) {
+  const Folder folder;
+  const Scene scene = scene_of(kBlock, {"solver.accuracy=1e-2"});
+  const auto whole = run(scene, into(folder / "whole"));
+  ASSERT_EQ(whole.end, RunResult::End::Done);
+  EXPECT_LT(whole.increments, run(scene_of(kBlock), into(folder / "equal")).increments);
+  ASSERT_EQ(run_step_by_step(scene, folder / "parts").end, RunResult::End::Done);
+  EXPECT_EQ(read_bytes(folder / "parts/history.csv"), read_bytes(folder / "whole/history.csv"));
+}
+
 // Wings grow from a short crack, several times and at one load; each part of the run makes one step.
 TEST(Run, ResumesBetweenAdvancesOfACrackBitForBit) {
   const Folder folder;

@@ -5,7 +5,8 @@
 
 namespace cleft::verify {
 
-/// study.csv, fits.csv, costs.csv, convergence.svg (relative error against h) and cost.svg (seconds against relative error).
+/// study.csv, fits.csv, costs.csv, convergence.svg (relative error against h) and cost.svg (seconds against relative
+/// error).
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory);
 
 }  // namespace cleft::verify

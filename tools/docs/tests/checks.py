@@ -24,6 +24,12 @@ class Files(unittest.TestCase):
         (self.folder / name).write_text(text)
 
 
+class Verbs(unittest.TestCase):
+    def test_end_with_the_list(self):
+        text = "cleft\n\nSubcommands:\n  run    solves\n  check  looks\n\nExit code 1: wrong, what\n"
+        self.assertEqual(markdown.listed_verbs(text), ["run", "check"])
+
+
 class Links(Files):
     def test_those_that_lead_somewhere_are_fine(self):
         self.write("a.html", '<a href="b.html#here">b</a> <a href="https://www.debian.org/">d</a> <p id="top"><a href="#top">t</a>')

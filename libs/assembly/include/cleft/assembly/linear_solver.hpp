@@ -14,6 +14,7 @@ enum class Factorisation { Unsymmetric, Symmetric };
 struct SolverSeconds {
   double analyse = 0.0, factorise = 0.0, solve = 0.0;
   long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
+  long second_opinions = 0;  ///< factorisations that UMFPACK made again, since MUMPS met a tiny pivot
   SolverSeconds& operator+=(const SolverSeconds& other);
 };
 
@@ -42,7 +43,7 @@ class LinearSolver {
   [[nodiscard]] Factors factorise(const BlockMatrix& matrix);
 
   /// Solves A x = b with the last factorisation; with a doubtful one the solution is the motion that nothing resists.
-  VecX solve(const BlockMatrix& matrix, const VecX& b);
+  VecX solve(const VecX& b);
 
   const SolverSeconds& seconds() const;
 
