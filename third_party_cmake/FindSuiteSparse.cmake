@@ -1,11 +1,10 @@
-# Finds UMFPACK and CHOLMOD of SuiteSparse 5, whose packages bring no CMake files:
-#   SuiteSparse::UMFPACK, SuiteSparse::CHOLMOD   imported targets
+# Finds UMFPACK of SuiteSparse 5, whose packages bring no CMake files:
+#   SuiteSparse::UMFPACK   imported target
 #   SuiteSparse_FOUND, SuiteSparse_VERSION
 
 find_path(SuiteSparse_INCLUDE_DIR umfpack.h PATH_SUFFIXES suitesparse)
 find_library(SuiteSparse_UMFPACK_LIBRARY umfpack)
-find_library(SuiteSparse_CHOLMOD_LIBRARY cholmod)
-mark_as_advanced(SuiteSparse_INCLUDE_DIR SuiteSparse_UMFPACK_LIBRARY SuiteSparse_CHOLMOD_LIBRARY)
+mark_as_advanced(SuiteSparse_INCLUDE_DIR SuiteSparse_UMFPACK_LIBRARY)
 
 if(SuiteSparse_INCLUDE_DIR)
   file(STRINGS ${SuiteSparse_INCLUDE_DIR}/SuiteSparse_config.h lines REGEX "^#define SUITESPARSE_[A-Z]+_VERSION +[0-9]+")
@@ -18,16 +17,12 @@ endif()
 
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(SuiteSparse
-  REQUIRED_VARS SuiteSparse_UMFPACK_LIBRARY SuiteSparse_CHOLMOD_LIBRARY SuiteSparse_INCLUDE_DIR
+  REQUIRED_VARS SuiteSparse_UMFPACK_LIBRARY SuiteSparse_INCLUDE_DIR
   VERSION_VAR SuiteSparse_VERSION)
 
-if(SuiteSparse_FOUND)
-  foreach(part UMFPACK CHOLMOD)
-    if(NOT TARGET SuiteSparse::${part})
-      add_library(SuiteSparse::${part} UNKNOWN IMPORTED)
-      set_target_properties(SuiteSparse::${part} PROPERTIES
-        IMPORTED_LOCATION ${SuiteSparse_${part}_LIBRARY}
-        INTERFACE_INCLUDE_DIRECTORIES ${SuiteSparse_INCLUDE_DIR})
-    endif()
-  endforeach()
+if(SuiteSparse_FOUND AND NOT TARGET SuiteSparse::UMFPACK)
+  add_library(SuiteSparse::UMFPACK UNKNOWN IMPORTED)
+  set_target_properties(SuiteSparse::UMFPACK PROPERTIES
+    IMPORTED_LOCATION ${SuiteSparse_UMFPACK_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${SuiteSparse_INCLUDE_DIR})
 endif()

@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../CleftArrows.cmake)
 include(${ARROWS})
 
-set(heavy "CGAL|umfpack|cholmod|suitesparse|toml|pugixml|zlib|nlohmann|spdlog|CLI|ceres")
+set(heavy "CGAL|umfpack|suitesparse|mumps|metis|toml|pugixml|zlib|nlohmann|spdlog|CLI|ceres")
 set(faults "")
 set(scanned 0)
 foreach(library IN LISTS CLEFT_LIBRARIES)

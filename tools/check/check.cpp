@@ -149,7 +149,7 @@ int check(const Options& options) {
   print_loads(scene);
   print("switched on", switched_on(scene, model));
   const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
-  print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (CHOLMOD)" : "unsymmetric (MUMPS)",
+  print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (MUMPS)" : "unsymmetric (MUMPS)",
                                      model.is_linear() ? ", one for all loads" : ""));
   const auto notes = scene::remarks(scene, model);
   for (const auto& note : notes) print("note", note);

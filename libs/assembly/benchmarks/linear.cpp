@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "../tests/small_models.hpp"
-#include "cholmod.hpp"
 #include "cleft/assembly/assembler.hpp"
 #include "cleft/assembly/state.hpp"
 #include "mumps.hpp"
@@ -61,9 +60,15 @@ void factorise_and_solve(benchmark::State& state, Options... options) {
 }
 
 void umfpack(benchmark::State& state) { factorise_and_solve<assembly::Umfpack>(state); }
-void mumps_minimum_degree(benchmark::State& state) { factorise_and_solve<assembly::Mumps>(state, Index{1} << 30); }
-void mumps_nested_dissection(benchmark::State& state) { factorise_and_solve<assembly::Mumps>(state, Index{0}); }
-void cholmod(benchmark::State& state) { factorise_and_solve<assembly::Cholmod>(state); }
+void mumps_minimum_degree(benchmark::State& state) {
+  factorise_and_solve<assembly::Mumps>(state, assembly::Factorisation::Unsymmetric, Index{1} << 30);
+}
+void mumps_nested_dissection(benchmark::State& state) {
+  factorise_and_solve<assembly::Mumps>(state, assembly::Factorisation::Unsymmetric, Index{0});
+}
+void mumps_symmetric(benchmark::State& state) {
+  factorise_and_solve<assembly::Mumps>(state, assembly::Factorisation::Symmetric);
+}
 
 void sizes(benchmark::internal::Benchmark* all) {
   all->Arg(16)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond);
@@ -71,6 +76,6 @@ void sizes(benchmark::internal::Benchmark* all) {
 BENCHMARK(umfpack)->Apply(sizes);
 BENCHMARK(mumps_minimum_degree)->Apply(sizes);
 BENCHMARK(mumps_nested_dissection)->Apply(sizes);
-BENCHMARK(cholmod)->Apply(sizes);
+BENCHMARK(mumps_symmetric)->Apply(sizes);
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "cholmod.hpp"
 #include "cleft/support/timer.hpp"
 #include "mumps.hpp"
 #include "umfpack.hpp"
@@ -17,31 +16,20 @@ constexpr double kSingular = 1e12;
 }  // namespace
 
 struct LinearSolver::Data {
-  enum class Holder { None, Cholmod, Mumps, Umfpack };
-
-  Factorisation kind;
   SolverSeconds seconds;
-  Cholmod cholmod{seconds};
-  Mumps mumps{seconds};
+  Mumps mumps;
   Umfpack umfpack{seconds};
-  Holder holder = Holder::None;  // of the last factors
+  bool repeated = false;  // the last factors are those of UMFPACK
   Factors factors = Factors::None;
   long pattern = -1;
 
-  explicit Data(Factorisation k) : kind(k) {}
+  explicit Data(Factorisation kind) : mumps(seconds, kind) {}
 
   void factorise(const BlockMatrix& matrix) {
-    if (kind == Factorisation::Symmetric) {
-      holder = Holder::Cholmod;
-      factors = cholmod.factorise(matrix);
-      if (factors != Factors::None) return;
-      ++seconds.unsymmetric_fallbacks;
-    }
-    holder = Holder::Mumps;
     factors = mumps.factorise(matrix);
-    if (factors == Factors::Regular) return;
+    repeated = factors != Factors::Regular;
+    if (!repeated) return;
     ++seconds.second_opinions;
-    holder = Holder::Umfpack;
     factors = umfpack.factorise(matrix);
   }
 };
@@ -52,7 +40,6 @@ SolverSeconds& SolverSeconds::operator+=(const SolverSeconds& other) {
   solve += other.solve;
   analyses += other.analyses;
   factorisations += other.factorisations;
-  unsymmetric_fallbacks += other.unsymmetric_fallbacks;
   second_opinions += other.second_opinions;
   return *this;
 }
@@ -65,7 +52,6 @@ LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
 void LinearSolver::new_pattern(long number) {
   data_->pattern = number;
   data_->factors = Factors::None;
-  data_->cholmod.forget();
   data_->mumps.forget();
   data_->umfpack.forget();
 }
@@ -74,7 +60,6 @@ Factors LinearSolver::factorise(const BlockMatrix& matrix) {
   auto& d = *data_;
   ++d.seconds.factorisations;
   d.factors = Factors::None;
-  // CHOLMOD takes them for positive definite
   if (!Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).allFinite()) return d.factors;
   d.factorise(matrix);
   if (d.factors == Factors::Doubtful && condition(matrix) < kSingular) d.factors = Factors::Regular;
@@ -96,14 +81,7 @@ double LinearSolver::condition(const BlockMatrix& matrix) {
 VecX LinearSolver::solve(const VecX& b) {
   auto& d = *data_;
   const PhaseTimer timer(d.seconds.solve);
-  switch (d.holder) {
-    case Data::Holder::Cholmod:
-      return d.cholmod.solve(b);
-    case Data::Holder::Mumps:
-      return d.mumps.solve(b);
-    default:
-      return d.umfpack.solve(b);
-  }
+  return d.repeated ? d.umfpack.solve(b) : d.mumps.solve(b);
 }
 
 bool LinearSolver::has_factors() const { return data_->factors == Factors::Regular; }

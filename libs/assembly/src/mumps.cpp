@@ -12,6 +12,7 @@ namespace cleft::assembly {
 namespace {
 
 constexpr int kStart = -1, kEnd = -2, kAnalyse = 1, kFactorise = 2, kSolve = 3;
+constexpr int kGeneralSymmetric = 2;
 constexpr int kUseWorldCommunicator = -987654;
 
 // The manual counts from 1.
@@ -50,7 +51,7 @@ void Mumps::analyse(const BlockMatrix& m) {
   auto& d = *data_;
   d.comm_fortran = kUseWorldCommunicator;
   d.par = 1;
-  d.sym = 0;
+  d.sym = symmetric_ ? kGeneralSymmetric : 0;
   checked(call(kStart));
   for (const int stream : {1, 2, 3, 4}) control(d, stream) = 0;  // prints nothing
   control(d, 6) = 0;                                             // no permutation of columns: the pattern is symmetric
@@ -60,15 +61,16 @@ void Mumps::analyse(const BlockMatrix& m) {
   control(d, 24) = 1;                                            // finds tiny pivots
   control(d, 28) = 1;                                            // analysis in one process
 
-  rows_.resize(static_cast<std::size_t>(m.nonzeros()));
-  columns_.resize(rows_.size());
+  rows_.clear();
+  columns_.clear();
   for (Index j = 0; j < m.rows(); ++j)
-    for (Index k = m.scalar_starts()[j]; k < m.scalar_starts()[j + 1]; ++k) {
-      rows_[k] = m.scalar_rows()[k] + 1;
-      columns_[k] = j + 1;
-    }
+    for (Index k = m.scalar_starts()[j]; k < m.scalar_starts()[j + 1]; ++k)
+      if (const Index i = m.scalar_rows()[k]; i <= j || !symmetric_) {
+        rows_.push_back(i + 1);
+        columns_.push_back(j + 1);
+      }
   d.n = m.rows();
-  d.nnz = m.nonzeros();
+  d.nnz = static_cast<MUMPS_INT8>(rows_.size());
   d.irn = rows_.data();
   d.jcn = columns_.data();
   std::vector<Index> order;
@@ -84,11 +86,22 @@ void Mumps::analyse(const BlockMatrix& m) {
   checked(analysed);
 }
 
+// The values in the order of `rows_`.
+double* Mumps::entries(const BlockMatrix& m) {
+  if (!symmetric_) return const_cast<double*>(m.values().data());
+  upper_.clear();
+  upper_.reserve(rows_.size());
+  for (Index j = 0; j < m.rows(); ++j)
+    for (Index k = m.scalar_starts()[j]; k < m.scalar_starts()[j + 1] && m.scalar_rows()[k] <= j; ++k)
+      upper_.push_back(m.values()[k]);
+  return upper_.data();
+}
+
 Factors Mumps::factorise(const BlockMatrix& m) {
   if (!data_) analyse(m);
   const PhaseTimer timer(seconds_.factorise);
   auto& d = *data_;
-  d.a = const_cast<double*>(m.values().data());
+  d.a = entries(m);
   const double largest = Eigen::Map<const VecX>(m.values().data(), m.nonzeros()).cwiseAbs().maxCoeff();
   d.cntl[2] = -kSuspiciousPivot * largest;
   int error = checked(call(kFactorise));

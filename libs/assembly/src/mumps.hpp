@@ -1,4 +1,5 @@
-// Factorisation of any matrix, by MUMPS: the fastest, but it only says that a pivot is tiny, not how tiny.
+// Factorisation of any matrix or of a symmetric one, by MUMPS: the fastest, but it only says that a pivot is tiny, not
+// how tiny.
 #pragma once
 
 #include <dmumps_c.h>
@@ -16,8 +17,8 @@ class Mumps {
   /// From so many rows on, nested dissection leaves the faster factors; below, minimum degree costs less itself.
   static constexpr Index kDissected = 100'000;
 
-  explicit Mumps(SolverSeconds& seconds, Index dissected_from = kDissected)
-      : seconds_(seconds), dissected_from_(dissected_from) {}
+  explicit Mumps(SolverSeconds& seconds, Factorisation kind, Index dissected_from = kDissected)
+      : seconds_(seconds), symmetric_(kind == Factorisation::Symmetric), dissected_from_(dissected_from) {}
   ~Mumps() { forget(); }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
@@ -29,11 +30,14 @@ class Mumps {
  private:
   int call(int job) noexcept;
   void analyse(const BlockMatrix& matrix);
+  double* entries(const BlockMatrix& matrix);
 
   SolverSeconds& seconds_;
+  bool symmetric_;
   Index dissected_from_;
   std::unique_ptr<DMUMPS_STRUC_C> data_;
   std::vector<MUMPS_INT> rows_, columns_;  // from 1
+  std::vector<double> upper_;              // of a symmetric matrix
 };
 
 }  // namespace cleft::assembly

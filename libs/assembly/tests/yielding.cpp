@@ -161,7 +161,7 @@ TEST(Linear, OneFactorisationServesAllLoads) {
     EXPECT_LT(std::get<Step>(outcome).left.residual, 1e-12);
   }
   EXPECT_EQ(stepper.solver().seconds().factorisations, 1);
-  EXPECT_EQ(stepper.solver().seconds().unsymmetric_fallbacks, 0);
+  EXPECT_EQ(stepper.solver().seconds().second_opinions, 0);
 
   StepControls one;
   one.steps = 1;

@@ -13,7 +13,7 @@ enum class Factorisation { Unsymmetric, Symmetric };
 /// Seconds spent in each phase of all calls so far, and their numbers.
 struct SolverSeconds {
   double analyse = 0.0, factorise = 0.0, solve = 0.0;
-  long analyses = 0, factorisations = 0, unsymmetric_fallbacks = 0;
+  long analyses = 0, factorisations = 0;
   long second_opinions = 0;  ///< factorisations that UMFPACK made again, since MUMPS met a tiny pivot
   SolverSeconds& operator+=(const SolverSeconds& other);
 };
@@ -22,8 +22,8 @@ struct SolverSeconds {
 /// for rounding has doubtful ones.
 enum class Factors { None, Doubtful, Regular };
 
-/// MUMPS for general matrices, CHOLMOD for symmetric positive definite ones; a symmetric matrix that turns out not to
-/// be positive definite is factorised by MUMPS, and counted. Where MUMPS meets tiny pivots UMFPACK decides.
+/// MUMPS, by L U or, of symmetric matrices, which may be indefinite, by L D L^T. Where it meets tiny pivots UMFPACK
+/// decides.
 class LinearSolver {
  public:
   explicit LinearSolver(Factorisation kind);
