@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cleft/scene/problem.hpp"
+#include "cleft/scene/read.hpp"
+
 namespace cleft::scene {
 namespace {
 
@@ -93,6 +96,33 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{HEAD "[[quantity]]\ncolumn = \"p\"\n[[quantity]]\ncolumn = \"p\"\n",
               "quantity[1].name: 'p at 1' names"}));
 #undef HEAD
+
+TEST(Studies, OfTheRepositoryAreSoundOnTheirCoarsestMesh) {
+  int studies = 0;
+  for (const char* folder : {"studies", "work_precision"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(CLEFT_SOURCE_DIR "/verification/") + folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      ++studies;
+      try {
+        const Study study = read_study(entry.path().string());
+        for (const auto& variant : study.variants) {
+          auto overrides = study.set;
+          overrides.push_back(study.mesh_key + "=" + study.meshes.front());
+          if (!study.sweep_key.empty()) overrides.push_back(study.sweep_key + "=" + variant);
+          const Scene scene = read_scene(study.scene, overrides);
+          EXPECT_FALSE(build_model(scene).cells.empty());
+        }
+        for (const auto& quantity : study.quantities) {
+          EXPECT_TRUE(quantity.reference.empty() || std::filesystem::exists(quantity.reference))
+              << entry.path() << ": " << quantity.reference;
+        }
+      } catch (const std::exception& error) {
+        ADD_FAILURE() << entry.path() << ": " << error.what();
+      }
+    }
+  EXPECT_GE(studies, 15);
+}
 
 }  // namespace
 }  // namespace cleft::scene
