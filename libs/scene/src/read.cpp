@@ -172,7 +172,7 @@ SolverSpec read_solver(const Section& s) {
   SolverSpec out;
   const Section::Check small = [](double x) { return x > 0.0 && x < 1.0; };
   out.accuracy = s.number_or(
-      "accuracy", 0.0, [](double x) { return x >= 1e-6 && x <= 0.1; }, "1e-6 to 0.1");
+      "accuracy", 0.0, [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 0.1); }, "0 (none), or 1e-6 to 0.1");
   if (out.accuracy > 0.0) {
     out.residual_tolerance = std::max(out.residual_tolerance, 1e-3 * out.accuracy);
     out.correction_tolerance = std::max(out.correction_tolerance, 0.1 * out.accuracy);
@@ -186,7 +186,8 @@ SolverSpec read_solver(const Section& s) {
   out.min_step = s.number_or("min_step", out.min_step, small, "between 0 and 1");
   out.extrapolate = s.flag_or("extrapolate", out.extrapolate);
   out.gauss_points = s.integer_or("gauss_points", out.gauss_points, 1, 4);
-  out.search_radius = s.number_or("search_radius", out.search_radius, kPositive, "a positive number, m");
+  out.search_radius = s.number_or(
+      "search_radius", out.search_radius, [](double x) { return x >= 0.0; }, "a positive number, m, or 0 (by scale)");
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/profile.hpp"
@@ -19,6 +20,7 @@ constexpr double kOscillates =
     0.15;                         // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
 constexpr double kInner = 0.8;    // of the contact, away from its ends
 constexpr double kFlows = 0.05;   // of the work
+constexpr double kZigzag = 30.0;  // degrees
 constexpr double kDilates = 0.1;  // dilatancy below which the volume hardly changes
 
 void about_overlap(const assembly::LoadStepper& stepper, Lines& out) {
@@ -82,6 +84,31 @@ void about_flow(const Scene& scene, const assembly::Energies& e, Lines& out) {
                   100.0 * share));
 }
 
+// The largest angle (degrees) by which a path turns and turns back in the next point; of its last `pieces` pieces.
+double to_and_fro(const std::vector<Vec2>& path, std::size_t pieces) {
+  double largest = 0.0, last = 0.0;
+  const std::size_t first = path.size() > pieces + 1 ? path.size() - pieces - 1 : 1;
+  for (std::size_t k = first; k + 1 < path.size(); ++k) {
+    const Vec2 before = path[k] - path[k - 1], after = path[k + 1] - path[k];
+    const double turn = std::atan2(cross(before, after), before.dot(after)) * 180.0 / std::numbers::pi;
+    if (turn * last < 0.0) largest = std::max(largest, std::min(std::fabs(turn), std::fabs(last)));
+    last = turn;
+  }
+  return largest;
+}
+
+void about_growing_tip(const std::string& tip, const growth::Record::Tip& record, std::vector<Vec2> path, Lines& out) {
+  if (record.stop == growth::Stop::Hindered)
+    out.push_back(fmt::format("{}: hindered after {} advances, though the load went on; growth.csv says where", tip,
+                              record.advances));
+  const double turn = to_and_fro(path, static_cast<std::size_t>(record.advances));
+  if (turn > kZigzag)
+    out.push_back(fmt::format(
+        "{}: its path turns to and fro by {:.0f} degrees, as advances that are too long do; shorter ones, or "
+        "growth.correct_direction = true",
+        tip, turn));
+}
+
 }  // namespace
 
 double oscillation(std::span<const double> place, std::span<const double> value) {
@@ -124,6 +151,28 @@ std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::Load
   about_pressure(scene, stepper, out);
   about_energy(scene, stepper.state().energies, out);
   about_flow(scene, stepper.state().energies, out);
+  return out;
+}
+
+std::vector<std::string> remarks_on_growth(const Scene& scene, const growth::Record& record) {
+  Lines out;
+  bool may = false, did = false;
+  for (std::size_t k = 0; k < scene.cracks.size() && k < record.tips.size(); ++k) {
+    if (!scene.cracks[k].growth) continue;
+    may = true;
+    std::vector<Vec2> path = record.points[k];
+    for (const std::size_t end : {1U, 0U}) {
+      const auto& tip = record.tips[k][end];
+      did = did || tip.advances > 0;
+      about_growing_tip(fmt::format("crack '{}', {}", scene.cracks[k].name, end == 0 ? "start" : "end"), tip, path,
+                        out);
+      std::ranges::reverse(path);
+    }
+  }
+  if (may && !did)
+    out.push_back(
+        fmt::format("no tip advanced; the largest demand at the end is {:.3g}, and 1 is what the criteria ask for",
+                    record.measure));
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cleft/assembly/stepping.hpp"
+#include "cleft/growth/evolution.hpp"
 #include "cleft/scene/description.hpp"
 
 namespace cleft::scene {
@@ -25,5 +26,9 @@ double worst_zone(std::vector<Pressed> along, double size);
 /// pressure that oscillates, energy that is not accounted for, flow in which triangles lock. Nothing before the first
 /// increment.
 std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
+
+/// On what cracks that may grow have done: none did, and how near one came; a tip that is hindered; a path that turns to
+/// and fro.
+std::vector<std::string> remarks_on_growth(const Scene& scene, const growth::Record& record);
 
 }  // namespace cleft::scene

@@ -276,6 +276,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
   result.remarks = remarks_at_end(scene, evolution.stepper());
+  for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));
   const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
   const auto assembly = evolution.assembly_seconds();

@@ -140,6 +140,32 @@ TEST(Oscillation, IsWhatAProfileVariesBeyondOneRiseAndOneFall) {
   EXPECT_EQ(oscillation({}, {}), 0.0);
 }
 
+TEST(RemarksOnGrowth, SayThatNothingGrewThatATipIsHinderedAndThatAPathTurnsToAndFro) {
+  Scene scene;
+  scene.cracks.resize(2);
+  scene.cracks[0].name = "main";
+  scene.cracks[0].growth = growth::Law{};
+  scene.cracks[1].name = "still";
+  growth::Record record;
+  record.points = {{{0, 0}, {1, 0}}, {{0, 2}, {1, 2}}};
+  record.tips.resize(2);
+  record.measure = 0.41;
+  EXPECT_EQ(joined(remarks_on_growth(scene, record)),
+            "no tip advanced; the largest demand at the end is 0.41, and 1 is what the criteria ask for\n");
+  record.points[0] = {{0, 0}, {1, 0}, {2, 0.1}, {3, 0.4}, {4, 0.9}};
+  record.tips[0][1].advances = 3;
+  EXPECT_EQ(joined(remarks_on_growth(scene, record)), "") << "a bend";
+  record.tips[0][1].stop = growth::Stop::Hindered;
+  EXPECT_NE(joined(remarks_on_growth(scene, record)).find("crack 'main', end: hindered after 3 advances"),
+            std::string::npos);
+  record.points[0] = {{0, 0}, {1, 0}, {2, 1}, {3, 0}, {4, 1}};
+  EXPECT_NE(joined(remarks_on_growth(scene, record)).find("crack 'main', end: its path turns to and fro by 90 degrees"),
+            std::string::npos);
+  record.tips[0][1].advances = 0;  // the corners are the scene's own
+  record.tips[0][0].advances = 1;
+  EXPECT_EQ(joined(remarks_on_growth(scene, record)).find("to and fro"), std::string::npos);
+}
+
 TEST(Oscillation, IsThatOfEveryZoneOfContactByItself) {
   std::vector<Pressed> humps, teeth;
   for (int k = 0; k <= 100; ++k) {

@@ -266,7 +266,8 @@ LimitFit fit_power(std::span<const double> x, std::span<const double> cost) {
   out.order = s.parameter[1];
   out.factor = std::exp(s.parameter[0]) * std::pow(largest, -out.order);
   out.order_pm = spread_of(fit, s) * std::sqrt(s.variance[1]);
-  out.determined = true;
+  out.determined = out.order_pm <= 1.0;
+  if (!out.determined) out.remark = "these meshes do not determine the exponent";
   double squares = 0.0;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double left = cost[k] - out.factor * std::pow(x[k], out.order);
