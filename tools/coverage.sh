@@ -11,5 +11,5 @@ cmake --build --preset coverage --parallel "$(nproc)" --target cleft test_tools 
 find build/coverage -name '*.gcda' -delete
 say "running them"
 # a program that is killed, or finds the disk full, leaves broken counters
-run_tests coverage "${libraries[*]} tools" --exclude-regex "Killed|AFullDisk"
+run_tests coverage "${libraries[*]} tools" --exclude-regex "Program.(Killed|AFullDisk)"
 gcovr --root . --filter 'libs/.*/(src|include)/' --object-directory build/coverage --print-summary build/coverage

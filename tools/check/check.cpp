@@ -100,7 +100,7 @@ void print_loads(const scene::Scene& scene) {
   print("increments",
         fmt::format("{}, outputs at {}",
                     scene.solver.accuracy > 0.0
-                        ? fmt::format("at most {} and as few as leave {:g} of the work unexplained", loading.steps,
+                        ? fmt::format("{}, or fewer where these leave {:g} of the work unexplained", loading.steps,
                                       scene.solver.accuracy)
                         : fmt::format("{}", loading.steps),
                     loading.every_step ? "every one" : fmt::format("{}", fmt::join(loading.outputs, ", "))));

@@ -3,6 +3,7 @@
 #include <umfpack.h>
 
 #include <array>
+#include <limits>
 #include <new>
 
 #include "cleft/support/timer.hpp"
@@ -41,7 +42,8 @@ VecX Umfpack::solve(const VecX& b) const {
   umfpack_di_defaults(control.data());
   control[UMFPACK_IRSTEP] = 0;  // no refinement, for which it would need the matrix once more
   VecX x(b.size());
-  umfpack_di_solve(UMFPACK_A, nullptr, nullptr, nullptr, x.data(), b.data(), numeric_, control.data(), nullptr);
+  if (umfpack_di_solve(UMFPACK_A, nullptr, nullptr, nullptr, x.data(), b.data(), numeric_, control.data(), nullptr) < 0)
+    x.setConstant(std::numeric_limits<double>::quiet_NaN());
   return x;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "dissection.hpp"
+#include "umfpack.hpp"
 
 namespace cleft::assembly {
 namespace {
@@ -70,9 +71,23 @@ TEST_P(Solver, RecoversAfterAMatrixThatFailed) {
   EXPECT_LT((good.multiply(solver.solve(b)) - b).norm(), 1e-12);
 }
 
-TEST(Unsymmetric, SolvesSystemsLargeEnoughForNestedDissection) {
+TEST(Umfpack, SolvesWithoutTheMatrixThatItFactorised) {
+  SolverSeconds seconds;
+  Umfpack solver(seconds);
+  VecX b, x;
+  const BlockMatrix m = chain(9, false);
+  {
+    const BlockMatrix gone = m;
+    ASSERT_EQ(solver.factorise(gone), Factors::Regular);
+  }
+  b = VecX::LinSpaced(m.rows(), 1.0, 2.0);
+  x = solver.solve(b);
+  EXPECT_LT((m.multiply(x) - b).norm(), 1e-12);
+}
+
+TEST_P(Solver, SolvesSystemsLargeEnoughForNestedDissection) {
   const BlockMatrix m = chain(50'001, false);
-  LinearSolver solver(Factorisation::Unsymmetric);
+  LinearSolver solver(GetParam());
   solver.new_pattern(1);
   ASSERT_EQ(solver.factorise(m), Factors::Regular);
   EXPECT_EQ(solver.seconds().second_opinions, 0);

@@ -99,8 +99,7 @@ double to_and_fro(const std::vector<Vec2>& path, std::size_t pieces) {
 
 void about_growing_tip(const std::string& tip, const growth::Record::Tip& record, std::vector<Vec2> path, Lines& out) {
   if (record.stop == growth::Stop::Hindered)
-    out.push_back(fmt::format("{}: hindered after {} advances, though the load went on; growth.csv says where", tip,
-                              record.advances));
+    out.push_back(fmt::format("{}: hindered after {} advances; growth.csv says where", tip, record.advances));
   const double turn = to_and_fro(path, static_cast<std::size_t>(record.advances));
   if (turn > kZigzag)
     out.push_back(fmt::format(
@@ -126,21 +125,29 @@ double oscillation(std::span<const double> place, std::span<const double> value)
 }
 
 double worst_zone(std::vector<Pressed> along, double size) {
+  constexpr double kGap = 2.0,
+                   kShortest = 3.0;  // elements: faces open for less belong to a zone, shorter ones tell nothing
   std::ranges::sort(along);
-  along.emplace_back(0.0, 0.0, false);  // the end of the last zone
   double worst = 0.0;
   std::vector<double> place, value;
-  for (const auto& [s, pressure, touches] : along) {
-    if (touches) {
-      place.push_back(s);
-      value.push_back(pressure);
-      continue;
-    }
-    if (place.size() > 1)
+  std::size_t touching = 0;  // points up to the last one at which the faces touch
+  const auto end_zone = [&] {
+    place.resize(touching);
+    value.resize(touching);
+    if (touching > 0 && place.back() - place.front() >= kShortest * size)
       worst = std::max(worst, oscillation(place, value) / (kInner * (place.back() - place.front()) / size));
     place.clear();
     value.clear();
+    touching = 0;
+  };
+  for (const auto& [s, pressure, touches] : along) {
+    if (touching > 0 && s - place[touching - 1] > kGap * size) end_zone();
+    if (touching == 0 && !touches) continue;
+    place.push_back(s);
+    value.push_back(touches ? pressure : 0.0);
+    if (touches) touching = place.size();
   }
+  end_zone();
   return worst;
 }
 

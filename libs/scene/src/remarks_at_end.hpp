@@ -20,6 +20,7 @@ double oscillation(std::span<const double> place, std::span<const double> value)
 using Pressed = std::tuple<double, double, bool>;
 
 /// The largest oscillation of a zone in which the faces touch, over the elements of `size` metres that it counts in.
+/// Where they part for less than two elements the zone goes on, without pressure.
 double worst_zone(std::vector<Pressed> along, double size);
 
 /// On the last converged state, one line each, with the figure that speaks for it: faces that overlap, a contact
@@ -27,8 +28,8 @@ double worst_zone(std::vector<Pressed> along, double size);
 /// increment.
 std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
 
-/// On what cracks that may grow have done: none did, and how near one came; a tip that is hindered; a path that turns to
-/// and fro.
+/// On what cracks that may grow have done: none did, and how near one came; a tip that is hindered; a path that turns
+/// to and fro.
 std::vector<std::string> remarks_on_growth(const Scene& scene, const growth::Record& record);
 
 }  // namespace cleft::scene

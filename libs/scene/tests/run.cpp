@@ -242,6 +242,7 @@ TEST(Run, CountsWhatIsRememberedAndHowOftenItFactorises) {
   const auto linear = costs(pulled, {"formulation.kinematics='small'", "loading.steps=5"});
   EXPECT_EQ(linear.at("linear"), true);
   EXPECT_EQ(linear.at("factorisations"), 1);
+  EXPECT_EQ(linear.at("factorisations_repeated"), 0);
   EXPECT_EQ(linear.at("history"), nlohmann::json::parse(R"({"contact": 0, "plastic": 0, "bytes": 0})"));
   EXPECT_EQ(linear.at("current_faces"), 0);
 

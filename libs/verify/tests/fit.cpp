@@ -214,5 +214,14 @@ TEST(FitPower, SaysWhereThereAreTooFew) {
   EXPECT_THROW(fit_power(std::vector<double>{0.0, 1.0, 2.0}, rising), std::invalid_argument);
 }
 
+TEST(FitPower, OfCostsThatScatterDoesNotClaimAnExponent) {
+  const std::vector<double> sizes{1e3, 2e3, 4e3}, scattered{1.0, 9.0, 2.0}, clean{1.0, 2.0, 4.0};
+  const auto loose = fit_power(sizes, scattered);
+  EXPECT_FALSE(loose.determined);
+  EXPECT_EQ(loose.remark, "these meshes do not determine the exponent");
+  EXPECT_TRUE(fit_power(sizes, clean).determined);
+  EXPECT_NEAR(fit_power(sizes, clean).order, 1.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace cleft::verify
