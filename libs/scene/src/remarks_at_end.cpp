@@ -125,27 +125,22 @@ double oscillation(std::span<const double> place, std::span<const double> value)
 }
 
 double worst_zone(std::vector<Pressed> along, double size) {
-  constexpr double kGap = 2.0,
-                   kShortest = 3.0;  // elements: faces open for less belong to a zone, shorter ones tell nothing
+  constexpr double kGap = 2.0;       // elements: where faces part for less the zone goes on
+  constexpr double kShortest = 3.0;  // elements: a shorter zone tells nothing
   std::ranges::sort(along);
   double worst = 0.0;
   std::vector<double> place, value;
-  std::size_t touching = 0;  // points up to the last one at which the faces touch
   const auto end_zone = [&] {
-    place.resize(touching);
-    value.resize(touching);
-    if (touching > 0 && place.back() - place.front() >= kShortest * size)
+    if (!place.empty() && place.back() - place.front() >= kShortest * size)
       worst = std::max(worst, oscillation(place, value) / (kInner * (place.back() - place.front()) / size));
     place.clear();
     value.clear();
-    touching = 0;
   };
   for (const auto& [s, pressure, touches] : along) {
-    if (touching > 0 && s - place[touching - 1] > kGap * size) end_zone();
-    if (touching == 0 && !touches) continue;
+    if (!touches) continue;
+    if (!place.empty() && s - place.back() > kGap * size) end_zone();
     place.push_back(s);
-    value.push_back(touches ? pressure : 0.0);
-    if (touches) touching = place.size();
+    value.push_back(pressure);
   }
   end_zone();
   return worst;

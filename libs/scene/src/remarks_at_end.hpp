@@ -20,7 +20,7 @@ double oscillation(std::span<const double> place, std::span<const double> value)
 using Pressed = std::tuple<double, double, bool>;
 
 /// The largest oscillation of a zone in which the faces touch, over the elements of `size` metres that it counts in.
-/// Where they part for less than two elements the zone goes on, without pressure.
+/// Where they part for less than two elements the zone goes on.
 double worst_zone(std::vector<Pressed> along, double size);
 
 /// On the last converged state, one line each, with the figure that speaks for it: faces that overlap, a contact
