@@ -34,7 +34,8 @@ Factors Umfpack::factorise(const BlockMatrix& m) {
   const int status = umfpack_di_numeric(m.scalar_starts().data(), m.scalar_rows().data(), m.values().data(), symbolic_,
                                         &numeric_, control.data(), info.data());
   if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
-  return status == UMFPACK_OK ? graded(info[UMFPACK_RCOND]) : Factors::None;
+  if (status != UMFPACK_OK) return Factors::None;
+  return info[UMFPACK_RCOND] > kSuspiciousPivot ? Factors::Regular : Factors::Doubtful;
 }
 
 VecX Umfpack::solve(const VecX& b) const {
