@@ -60,12 +60,11 @@ class Assembler {
     std::array<Index, unknowns> stride;                       // of column
   };
 
-  // A face opposite a strip of hats, and where in the matrix what they depend on each other stands: row by row.
   struct Opposite {
-    Index partner;
+    Index face;
     std::vector<BlockMatrix::Place> places;
   };
-  const std::vector<BlockMatrix::Place>& places_of(const contact::Piece& piece, std::span<const Index> unknowns);
+  const std::vector<BlockMatrix::Place>& places_of(Index strip, Index face);
 
   void build_pattern();
   void make_room(const History& history);
@@ -75,6 +74,9 @@ class Assembler {
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);
   void assemble_hats(const contact::HatMemory& memory);
+  void add_pieces(std::size_t begin, std::size_t end);
+  void add_rest(std::size_t piece, const contact::HatMemory& memory);
+  void add_conditions();
   template <class Law, class Point, std::size_t unknowns>
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                  const Point& point, double weight, const Places<unknowns>& places);
