@@ -47,10 +47,12 @@ void piece(benchmark::State& state, contact::NegativeSide side) {
   const auto& at = slider.search.positions();
   const auto trails = contact::trails_at_rest(slider.surfaces);
   const auto pieces = contact::find_pieces(slider.surfaces, at, slider.pairs, trails);
-  const std::array<Vec2, 4> tractions{Vec2(-1, 0.3), Vec2(-2, 0.5), Vec2(-1, -0.3), Vec2(-2, -0.5)};
-  contact::PieceIntegrals out;
+  const std::array<Vec2, 2> tractions{Vec2(-1, 0.3), Vec2(-2, 0.5)};
+  contact::OverlapIntegrals out;
+  contact::SlipByAnchor by_anchor;
   for (auto _ : state) {
-    contact::integrate(slider.surfaces, at, trails, pieces[pieces.size() / 3], tractions, out);
+    contact::integrate(slider.surfaces, at, trails, std::span(pieces).subspan(pieces.size() / 3, 1), tractions, out,
+                       std::span(&by_anchor, 1));
     benchmark::DoNotOptimize(&out);
     benchmark::ClobberMemory();
   }

@@ -60,10 +60,10 @@ void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<Hat
 
 }  // namespace
 
-const Strip& Hats::strip_at(Index face, double eta) const {
+Index Hats::strip_at(Index face, double eta) const {
   Index k = first_strip[face];
   while (k + 1 < first_strip[face + 1] && strips[k].end < eta) ++k;
-  return strips[k];
+  return k;
 }
 
 double Hats::second_hat(const enrichment::Face& face, const Strip& strip, double eta) const {

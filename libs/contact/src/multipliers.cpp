@@ -9,6 +9,9 @@ namespace {
 // The part of an interval below which its nodes lean on their neighbours.
 constexpr double kCover = 0.25;
 
+// Of a face: places that are no further apart are the same.
+constexpr double kTie = 1e-9;
+
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
 
 // kappa_e l_e / 12 of theory (8.4), and its derivative with regard to what is covered.
@@ -45,29 +48,97 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
     nodes_[i].normal = scale * x[at_x];
     nodes_[i].tangential = scale * x[at_x + 1];
   }
+  find_overlaps(surfaces, at, pairs, memory);
+  facing_.clear();
+  if (std::ranges::find(surfaces.sides, NegativeSide::Both) != surfaces.sides.end()) face_each_other(surfaces, at);
+  find_reached(surfaces);
+  conditions_.assign(nodes_.size(), {});
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) judge(surfaces, i, memory);
+}
+
+// theory (8.2)
+void Multipliers::find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
+                                const HatMemory& memory) {
+  const auto& hats = surfaces.hats;
   pieces_ = find_pieces(surfaces, at, pairs, memory.trails);
-  integrals_.resize(pieces_.size());
+  overlaps_ = overlaps_of(pieces_);
+  integrals_.resize(overlaps_.size());
+  by_anchor_.resize(pieces_.size());
   covered_.assign(hats.intervals.size(), 0.0);
-  for (std::size_t p = 0; p < pieces_.size(); ++p) {
-    const Index e = hats.strips[pieces_[p].strip].interval;
-    const std::array<Index, 2> ends{hats.intervals[e].first, hats.intervals[e].second};
-    const auto traction = [&](Index i) -> Vec2 { return {nodes_[i].normal, nodes_[i].tangential}; };
-    std::array<Vec2, 4> multipliers{traction(ends[0]), traction(ends[1]), Vec2::Zero(), Vec2::Zero()};
-    if (const Index other = pieces_[p].partner_strip; other != kNone) {
-      const auto& interval = hats.intervals[hats.strips[other].interval];
-      multipliers[2] = traction(interval.first);
-      multipliers[3] = traction(interval.second);
-    }
-    integrate(surfaces, at, memory.trails, pieces_[p], multipliers, integrals_[p]);
-    const auto& v = integrals_[p].value;
+  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
+    const auto& [strip, partner, first, last] = overlaps_[o];
+    const auto own = static_cast<std::size_t>(first), count = static_cast<std::size_t>(last - first);
+    const auto ends = hats.ends(strip);
+    integrate(surfaces, at, memory.trails, std::span(pieces_).subspan(own, count),
+              {nodes_[ends[0]].traction(), nodes_[ends[1]].traction()}, integrals_[o],
+              std::span(by_anchor_).subspan(own, count));
+    const auto& v = integrals_[o].value;
     for (int k = 0; k < 2; ++k) {
       nodes_[ends[k]].gap += v(kGapOutput + 2 * k);
       nodes_[ends[k]].slip += v(kGapOutput + 1 + 2 * k);
-      nodes_[ends[k]].beyond += v.segment<2>(kDifferenceOutput + 2 * k);
       nodes_[ends[k]].support += v(kSupportOutput + k);
-      covered_[e] += v(kSupportOutput + k);
+      covered_[hats.strips[strip].interval] += v(kSupportOutput + k);
     }
   }
+}
+
+// theory (8.6)
+void Multipliers::face_each_other(const Surfaces& surfaces, const FacePositions& at) {
+  const auto& hats = surfaces.hats;
+  struct Nearest {
+    Index overlap = kNone;
+    double away = 0.0, eta = 0.0;
+    Bound bound;
+  };
+  std::vector<Nearest> nearest(nodes_.size());
+  for (Index o = 0; o < static_cast<Index>(overlaps_.size()); ++o) {
+    const auto& [strip, partner, first, last] = overlaps_[o];
+    if (!hats.on(partner)) continue;
+    const auto& face = surfaces.faces[hats.strips[strip].face];
+    const double length = face.s_end - face.s_start;
+    const auto ends = hats.ends(strip);
+    const auto offer = [&](Index node, double eta, const Bound& bound) {
+      const double away = std::fabs(face.s_start + eta * length - hats.nodes[node].s);
+      auto& best = nearest[node];
+      // Of two that meet at the node: that of the same face also if the crack's points come in reverse order.
+      const double tie = face.side == geometry::Side::Left ? kTie * length : -kTie * length;
+      if (best.overlap == kNone || away < best.away + tie) best = {o, away, eta, bound};
+    };
+    offer(ends[0], pieces_[first].begin, pieces_[first].begin_at);
+    offer(ends[1], pieces_[last - 1].end, pieces_[last - 1].end_at);
+    for (int k = 0; k < 2; ++k)
+      nodes_[ends[k]].reach += integrals_[o].length_ratio.value * integrals_[o].value(kSupportOutput + k);
+  }
+  facing_.resize(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto& [overlap, away, eta, bound] = nearest[i];
+    if (overlap == kNone) continue;
+    const Index own = hats.strips[overlaps_[overlap].strip].face, partner = overlaps_[overlap].partner;
+    facing_[i] = facing(surfaces, partner,
+                        bound.by_partner ? Moved{bound.place} : place_opposite(surfaces, at, own, partner, eta));
+    facing_[i].overlap = overlap;
+  }
+}
+
+Facing Multipliers::facing(const Surfaces& surfaces, Index partner, const Moved& place) const {
+  const auto& hats = surfaces.hats;
+  const auto& face = surfaces.faces[partner];
+  Facing out;
+  out.place = place;
+  out.strip = hats.strip_at(partner, place.value);
+  out.second = hats.second_hat(face, hats.strips[out.strip], place.value);
+  const auto ends = hats.ends(out.strip);
+  const NodeState &a = nodes_[ends[0]], &b = nodes_[ends[1]];
+  const Vec2 first(a.normal, -a.tangential), second(b.normal, -b.tangential);
+  out.traction = (1.0 - out.second) * first + out.second * second;
+  const double rate =
+      hats.second_hat(face, hats.strips[out.strip], 1.0) - hats.second_hat(face, hats.strips[out.strip], 0.0);
+  out.slope = rate * (second - first);
+  return out;
+}
+
+void Multipliers::find_reached(const Surfaces& surfaces) {
+  const auto& hats = surfaces.hats;
   reached_.assign(nodes_.size(), false);
   bool reached = false;
   const auto count = static_cast<Index>(nodes_.size());
@@ -79,8 +150,6 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
   }
   for (Index i = count - 2; i >= 0; --i)
     if (hats.nodes[i].after != kNone && reached_[i + 1]) reached_[i] = true;
-  conditions_.assign(nodes_.size(), {});
-  for (Index i = 0; i < count; ++i) judge(surfaces, i, memory);
 }
 
 // theory (8.3)
@@ -91,7 +160,7 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
   const double c = mortar.scale, friction = surfaces.laws[node.crack].friction;
   auto& s = nodes_[i];
   auto& out = conditions_[i];
-  const Vec2 own(s.normal, s.tangential);
+  const Vec2 own = s.traction();
 
   Vec2 smooth = Vec2::Zero();  // Z, and its derivatives with regard to tractions and covers
   double by_own = 0.0;
@@ -103,18 +172,23 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
     const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
     s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
-    Vec2 difference = own - Vec2(nodes_[j].normal, nodes_[j].tangential);
+    Vec2 difference = own - nodes_[j].traction();
     difference.y() -= own_part(memory.coverage[e]) * (memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
     smooth += soft.value * difference;
     by_own += soft.value;
     by_neighbour[k] = -soft.value;
     by_cover[k] = soft.by_cover * difference;
   }
-  smooth += mortar.compliance * s.beyond;
+  const bool faces_hats = !facing_.empty() && facing_[i].overlap != kNone;
+  if (faces_hats) {
+    s.beyond = s.support * own - s.reach * facing_[i].traction;
+    smooth += mortar.compliance * s.beyond;
+    by_own += mortar.compliance * s.support;
+  }
   const auto level = [&](int row, double integral) {  // c (integral - Z)
     out.value(row) = c * (integral - smooth(row));
     out.by_integral(row) = s.supported ? c : 0.0;
-    out.by_beyond(row) = s.supported ? -c * mortar.compliance : 0.0;
+    out.by_beyond(row) = faces_hats ? -c * mortar.compliance : 0.0;
     out.by_own(row, row) = -c * c * by_own;
     for (int k = 0; k < 2; ++k) {
       out.by_neighbour[k](row, row) = -c * c * by_neighbour[k];
@@ -167,7 +241,7 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
 // theory (8.1)
 Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta) const {
   const auto& hats = surfaces.hats;
-  const Strip& strip = hats.strip_at(face, eta);
+  const Strip& strip = hats.strips[hats.strip_at(face, eta)];
   const auto& interval = hats.intervals[strip.interval];
   const double second = hats.second_hat(surfaces.faces[face], strip, eta);
   const NodeState &a = nodes_[interval.first], &b = nodes_[interval.second];

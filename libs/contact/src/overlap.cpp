@@ -8,9 +8,9 @@ namespace {
 // Of a face: a piece that is no longer is none, and what bounds its neighbour is the end of the face or strip instead.
 constexpr double kCrumb = 1e-11;
 
-// A segment of the other face, or one of its strips, and the part of a face that it lies opposite.
+// A segment of the other face, and the part of a face that it lies opposite.
 struct Tile {
-  Index partner, strip;
+  Index partner;
   double begin, end;
   Bound begin_at, end_at;
 };
@@ -34,8 +34,7 @@ bool projects(const Surfaces& surfaces, const FacePositions& at, const Ray& ray,
   if (surfaces.faces[g].normal_sign() * turn_left(e).dot(ray.n) >= 0.0 || et == 0.0) return false;
   const double start = (at.start[g] - ray.start).dot(ray.t) / ray.length,
                end = (at.end[g] - ray.start).dot(ray.t) / ray.length;
-  out = et > 0.0 ? Tile{g, kNone, start, end, {true, 0.0}, {true, 1.0}}
-                 : Tile{g, kNone, end, start, {true, 1.0}, {true, 0.0}};
+  out = et > 0.0 ? Tile{g, start, end, {true, 0.0}, {true, 1.0}} : Tile{g, end, start, {true, 1.0}, {true, 0.0}};
   return true;
 }
 
@@ -43,22 +42,6 @@ void add_clipped(Tile tile, std::vector<Tile>& out) {
   if (tile.begin < kCrumb) tile.begin = 0.0, tile.begin_at = {};
   if (tile.end > 1.0 - kCrumb) tile.end = 1.0, tile.end_at = {};
   if (tile.end > tile.begin + kCrumb) out.push_back(tile);
-}
-
-// By the strips of the partner, if it has some.
-void add_strips(const Hats& hats, const Tile& tile, std::vector<Tile>& out) {
-  const Index first = hats.first_strip[tile.partner], last = hats.first_strip[tile.partner + 1];
-  if (first == last) return add_clipped(tile, out);
-  const double from = tile.begin_at.place, slope = (tile.end - tile.begin) / (tile.end_at.place - from);
-  for (Index k = first; k < last; ++k) {
-    Tile part = tile;
-    part.strip = k;
-    double low = hats.strips[k].begin, high = hats.strips[k].end;
-    if (slope < 0.0) std::swap(low, high);
-    part.begin = tile.begin + (low - from) * slope, part.begin_at.place = low;
-    part.end = tile.begin + (high - from) * slope, part.end_at.place = high;
-    add_clipped(part, out);
-  }
 }
 
 bool covers(const std::vector<Tile>& tiles, Index partner) {
@@ -70,7 +53,7 @@ void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Ind
   Tile tile;
   if (!projects(surfaces, at, ray, seed, tile)) return;
   const Tile first = tile;
-  if (first.begin < 1.0 && first.end > 0.0) add_strips(surfaces.hats, first, out);
+  if (first.begin < 1.0 && first.end > 0.0) add_clipped(first, out);
   const auto next = [&](bool forward) {
     const auto& face = surfaces.faces[tile.partner];
     return (forward ? tile.end_at : tile.begin_at).place == 1.0 ? face.next : face.previous;
@@ -82,7 +65,7 @@ void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Ind
       const Bound before = forward ? tile.end_at : tile.begin_at;
       if (g == kNone || !projects(surfaces, at, ray, g, tile)) break;
       if ((forward ? tile.end_at : tile.begin_at) != before) break;  // the chain turns back
-      if (tile.begin < 1.0 && tile.end > 0.0) add_strips(surfaces.hats, tile, out);
+      if (tile.begin < 1.0 && tile.end > 0.0) add_clipped(tile, out);
     }
   }
 }
@@ -102,7 +85,7 @@ void make_disjoint(std::vector<Tile>& tiles) {
 void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const Strip& strip, Index number,
                 const Tile& tile, std::vector<Piece>& out) {
   const auto add = [&](Index trail, double begin, double end) {
-    Piece piece{number, tile.partner, tile.strip, trail, begin, end, {}, {}};
+    Piece piece{number, tile.partner, trail, begin, end, {}, {}};
     if (tile.begin > begin + kCrumb) piece.begin = tile.begin, piece.begin_at = tile.begin_at;
     if (tile.end < end - kCrumb) piece.end = tile.end, piece.end_at = tile.end_at;
     if (piece.end > piece.begin + kCrumb) out.push_back(piece);
@@ -118,17 +101,10 @@ void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const
   if (strip.end > begin + kCrumb) add(kNone, begin, strip.end);
 }
 
-double place_on(const Surfaces& surfaces, const FacePositions& at, const Piece& piece, double eta) {
-  if (surfaces.undeformed) return eta;
-  const Ray ray = ray_of(surfaces, at, surfaces.hats.strips[piece.strip].face);
-  const Vec2 e = at.end[piece.partner] - at.start[piece.partner];
-  return (ray.start + eta * ray.length * ray.t - at.start[piece.partner]).dot(ray.t) / e.dot(ray.t);
-}
-
 // Where the point's anchor must lie so that it has no slip.
 double anchor_on(const Surfaces& surfaces, const FacePositions& at, const Piece& piece, double eta) {
-  if (!surfaces.undeformed) return place_on(surfaces, at, piece, eta);
   const Index f = surfaces.hats.strips[piece.strip].face, g = piece.partner;
+  if (!surfaces.undeformed) return place_opposite(surfaces, at, f, g, eta).value;
   const Vec2 along = surfaces.faces[f].reference_end - surfaces.faces[f].reference_start;
   const Vec2 jump = (1.0 - eta) * (at.start[g] - at.start[f]) + eta * (at.end[g] - at.end[f]);
   return eta - jump.dot(along) / along.squaredNorm();
@@ -144,14 +120,11 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
   Index trail = 0, point = 0;
   const auto points = static_cast<Index>(surfaces.points.size()), all_trails = static_cast<Index>(trails.size());
   for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
-    if (hats.first_strip[f] == hats.first_strip[f + 1]) continue;
+    if (!hats.on(f)) continue;
     tiles.clear();
     while (point < points && surfaces.points[point].face < f) ++point;
     if (surfaces.undeformed) {
-      const Index g = enrichment::opposite_face(f);  // whose strips are the same
-      if (hats.first_strip[g] == hats.first_strip[g + 1]) tiles.push_back({g, kNone, 0.0, 1.0, {}, {}});
-      for (Index k = hats.first_strip[g]; k < hats.first_strip[g + 1]; ++k)
-        tiles.push_back({g, k, hats.strips[k].begin, hats.strips[k].end, {}, {}});
+      tiles.push_back({enrichment::opposite_face(f), 0.0, 1.0, {}, {}});
     } else {
       const Ray ray = ray_of(surfaces, at, f);
       for (; point < points && surfaces.points[point].face == f; ++point)
@@ -164,6 +137,17 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
     while (end < all_trails && trails[end].face == f) ++end;
     for (Index s = hats.first_strip[f]; s < hats.first_strip[f + 1]; ++s)
       for (const Tile& tile : tiles) add_pieces(trails, trail, end, hats.strips[s], s, tile, out);
+  }
+  return out;
+}
+
+std::vector<Overlap> overlaps_of(const std::vector<Piece>& pieces) {
+  std::vector<Overlap> out;
+  for (Index p = 0; p < static_cast<Index>(pieces.size()); ++p) {
+    const auto& [strip, partner, trail, begin, end, begin_at, end_at] = pieces[p];
+    if (out.empty() || out.back().strip != strip || out.back().partner != partner)
+      out.push_back({strip, partner, p, p});
+    ++out.back().last;
   }
   return out;
 }
@@ -190,8 +174,7 @@ std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, 
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces) {
   std::vector<Trail> out;
   for (Index f = 0; f + 1 < static_cast<Index>(surfaces.hats.first_strip.size()); ++f)
-    if (surfaces.hats.first_strip[f] != surfaces.hats.first_strip[f + 1])
-      out.push_back({f, 0.0, 1.0, enrichment::opposite_face(f), 0.0, 1.0});
+    if (surfaces.hats.on(f)) out.push_back({f, 0.0, 1.0, enrichment::opposite_face(f), 0.0, 1.0});
   return out;
 }
 

@@ -71,16 +71,20 @@ void expect_derivative(Joint& joint, const Place& place, Index node) {
   const auto rate = [&](const auto& of) { return ((of(ahead) - of(behind)) / (2.0 * step)); };
   const auto cover = [&](const Multipliers& m, Index interval) {
     double out = 0.0;
-    for (std::size_t p = 0; p < m.pieces().size(); ++p)
-      if (hats.strips[m.pieces()[p].strip].interval == interval)
-        out += m.integrals()[p].value(kSupportOutput) + m.integrals()[p].value(kSupportOutput + 1);
+    for (std::size_t o = 0; o < m.overlaps().size(); ++o)
+      if (hats.strips[m.overlaps()[o].strip].interval == interval)
+        out += m.integrals()[o].value(kSupportOutput) + m.integrals()[o].value(kSupportOutput + 1);
     return out;
   };
   const auto& condition = here.conditions()[node];
   const Vec2 integrals(rate([&](const auto& m) { return m.nodes()[node].gap; }),
                        rate([&](const auto& m) { return m.nodes()[node].slip; }));
-  const Vec2 beyond(rate([&](const auto& m) { return m.nodes()[node].beyond.x(); }),
-                    rate([&](const auto& m) { return m.nodes()[node].beyond.y(); }));
+  // what the node's own traction does is in by_own
+  const auto beyond_own = [&](const auto& m) -> Vec2 {
+    return m.nodes()[node].beyond - here.nodes()[node].support * m.nodes()[node].traction();
+  };
+  const Vec2 beyond =
+      here.facing().empty() ? Vec2::Zero() : Vec2((beyond_own(ahead) - beyond_own(behind)) / (2.0 * step));
   Vec2 expected = condition.by_integral.cwiseProduct(integrals) + condition.by_beyond.cwiseProduct(beyond) +
                   condition.by_own * direction.tractions.segment<2>(2 * node) / kScale;
   for (int k = 0; k < 2; ++k) {
@@ -220,6 +224,52 @@ TEST(NodeCondition, FacesThatBothCarryHatsAreTiedToEachOthersTractions) {
   EXPECT_EQ(node.status, Status::Stick);
   EXPECT_LT(node.beyond.x(), -0.5 * 0.125 * 0.05) << "it presses more than the other face";
   for (const Index k : {kNode, kNode + joint.nodes() / 2}) expect_derivative(joint, place, k);
+}
+
+// The upper block has slid by 0.11: what it bears there, between its nodes.
+TEST(NodeCondition, NodeIsTiedToWhatTheOtherFaceBearsOppositeIt) {
+  Joint joint(2.0, NegativeSide::Both);
+  const double along = 0.11;
+  const Place place = joint.place({along, 0.0}, -1.0, 0.1);
+  const auto m = joint.at(place);
+  const auto& hats = joint.surfaces.hats;
+  int seen = 0;
+  for (Index i = 0; i < joint.nodes(); ++i) {
+    const auto& node = hats.nodes[i];
+    const bool upper = node.side == geometry::Side::Left;
+    // beyond the end of the other face it is what the end bears
+    const double there = std::clamp(node.s + (upper ? along : -along), 0.0, 1.0);
+    Vec2 expected = Vec2::Zero();
+    for (Index j = 0; j < joint.nodes(); ++j) {
+      const double hat = std::max(0.0, 1.0 - std::fabs(hats.nodes[j].s - there) / 0.25);
+      if (hats.nodes[j].side != node.side) expected += hat * Vec2(place.tractions[2 * j], -place.tractions[2 * j + 1]);
+    }
+    const auto& facing = m.facing()[i];
+    ASSERT_NE(facing.overlap, kNone);
+    EXPECT_LT((facing.traction - expected).norm(), 1e-12) << i;
+    EXPECT_NEAR(m.nodes()[i].reach, m.nodes()[i].support, 1e-14) << "nothing is stretched";
+    EXPECT_EQ(facing.place.by.isZero(0.0), there == 0.0 || there == 1.0) << i;
+    seen += there == 0.0 || there == 1.0;
+    expect_derivative(joint, place, i);
+  }
+  EXPECT_EQ(seen, 2);
+}
+
+TEST(NodeCondition, NodeAtAVertexFacesTheSamePlaceInAReversedCrack) {
+  // Nodes lie at vertices of both faces here: the spacing is a multiple of the elements.
+  Joint joint(2.0, NegativeSide::Both);
+  const auto m = joint.at(joint.place({0.1, 0.0}, -1.0, 0.1));
+  const auto& hats = joint.surfaces.hats;
+  int judged = 0;
+  for (Index i = 0; i < joint.nodes(); ++i) {
+    const auto& node = hats.nodes[i];
+    if (node.s < 0.2 || node.s > 0.8) continue;
+    const auto& face = joint.surfaces.faces[hats.strips[m.overlaps()[m.facing()[i].overlap].strip].face];
+    // seen along the body's own boundary, on either side of the crack: the segment on the same hand
+    EXPECT_NEAR(node.side == geometry::Side::Left ? face.s_start : face.s_end, node.s, 1e-12);
+    ++judged;
+  }
+  EXPECT_EQ(judged, 6);
 }
 
 }  // namespace

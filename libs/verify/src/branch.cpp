@@ -44,13 +44,14 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   };
   for (std::size_t i = 0; i < a.nodes().size(); ++i) {
     const auto &s = a.nodes()[i], &t = b.nodes()[i];
-    if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans)
+    const bool faces_another = !a.facing().empty() && (a.facing()[i].strip != b.facing()[i].strip);
+    if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans ||
+        faces_another)
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
   const auto add_piece = [&](const contact::Piece& piece) {
     const auto& strip = hats.strips[piece.strip];
     add_nodes(strip.interval);
-    if (piece.partner_strip != kNone) add_nodes(hats.strips[piece.partner_strip].interval);
     for (const Index face : {strip.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
@@ -59,14 +60,14 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   // that compares the tractions of two faces with hats.
   const auto stands_out = [&](const contact::Piece& piece) {
     const auto& face = surfaces.faces[hats.strips[piece.strip].face];
-    return piece.trail == kNone || piece.partner_strip != kNone || (face.previous == kNone && piece.begin == 0.0) ||
+    return piece.trail == kNone || hats.on(piece.partner) || (face.previous == kNone && piece.begin == 0.0) ||
            (face.next == kNone && piece.end == 1.0);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
     for (const auto& piece : of.pieces())
       if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& other) {
             return other.strip == piece.strip && (other.trail == kNone) == (piece.trail == kNone) &&
-                   (piece.partner_strip == kNone ? stands_out(other) : other.partner_strip == piece.partner_strip);
+                   (hats.on(piece.partner) ? other.partner == piece.partner : stands_out(other));
           }))
         add_piece(piece);
   };

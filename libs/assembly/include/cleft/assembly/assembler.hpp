@@ -74,9 +74,10 @@ class Assembler {
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);
   void assemble_hats(const contact::HatMemory& memory);
-  void add_pieces(std::size_t begin, std::size_t end);
-  void add_rest(std::size_t piece, const contact::HatMemory& memory);
-  void add_conditions();
+  void add_overlap(std::size_t number);
+  void add_anchor(Index piece, Index face);
+  void add_facing(Index node);
+  void add_condition(Index node);
   template <class Law, class Point, std::size_t unknowns>
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                  const Point& point, double weight, const Places<unknowns>& places);

@@ -6,6 +6,7 @@
 /// value for every crossing would be richer than the displacement jumps can answer, and its pressure would oscillate.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "cleft/enrichment/stencil.hpp"
@@ -48,8 +49,15 @@ struct Hats {
   std::vector<Index> first_strip;  ///< per face, and one more: where its strips begin; equal if it has none
 
   bool empty() const { return nodes.empty(); }
+  /// Whether a face carries hats.
+  bool on(Index face) const { return first_strip[face] != first_strip[face + 1]; }
+  /// The nodes of a strip's interval.
+  std::array<Index, 2> ends(Index strip) const {
+    const auto& interval = intervals[strips[strip].interval];
+    return {interval.first, interval.second};
+  }
   /// The strip that holds a place on a face; the face must have some.
-  const Strip& strip_at(Index face, double eta) const;
+  Index strip_at(Index face, double eta) const;
   /// Value of the hat of the interval's second node at a place on a face; that of the first is 1 less it.
   double second_hat(const enrichment::Face& face, const Strip& strip, double eta) const;
 };

@@ -27,9 +27,13 @@
 /// takes the tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the
 /// interval was covered then (o = 1): Z does not depend on the size of the increments.
 ///
-/// Where both faces carry hats, each with half of the weight, Z has the further part h / (2 mu) int phi_i (l - l') ds,
-/// with l' what the other face bears: the faces' tractions are two unknowns for one, and where they are the same each
-/// face's mean gap vanishes.
+/// Where both faces carry hats, each with half of the weight, Z has the further part
+///
+///     h / (2 mu) (l_i int phi_i ds - l' int phi_i j ds),     j = ds'/ds
+///
+/// with l' what the other face bears opposite the node, or, if nothing lies there, opposite the place next to it, and
+/// the integrals over what lies opposite: the faces' tractions are two unknowns for one, and where they are the same
+/// each face's mean gap vanishes.
 ///
 /// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
@@ -56,9 +60,22 @@ struct NodeState {
   bool leans = false;                     ///< little lies opposite one of its intervals
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
-  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, int phi ds, N/m
+  double reach = 0.0;                     ///< int phi j ds, metres; only where both faces carry hats
+  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
   double slides = 0.0;                    ///< sign of the traction of a node that slips
+
+  Vec2 traction() const { return {normal, tangential}; }
+};
+
+/// What the other face bears opposite a node, where both carry hats.
+struct Facing {
+  Index overlap = kNone;         ///< whose faces' ends it depends on; kNone: nothing lies opposite
+  Index strip = kNone;           ///< of the other face
+  double second = 0.0;           ///< value of the hat of the second node of the strip's interval there
+  Vec2 traction = Vec2::Zero();  ///< l'_N, -l'_T, Pa: what l_N, l_T are if the faces agree
+  Vec2 slope = Vec2::Zero();     ///< its derivative with regard to the place on the other face, Pa
+  Moved place;                   ///< on the other face
 };
 
 /// One row of conditions: its values and how they depend on everything.
@@ -79,7 +96,10 @@ class Multipliers {
            const HatMemory& memory);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
-  const std::vector<PieceIntegrals>& integrals() const { return integrals_; }
+  const std::vector<Overlap>& overlaps() const { return overlaps_; }
+  const std::vector<OverlapIntegrals>& integrals() const { return integrals_; }  ///< per overlap
+  const std::vector<SlipByAnchor>& by_anchor() const { return by_anchor_; }      ///< per piece
+  const std::vector<Facing>& facing() const { return facing_; }  ///< per node; empty if one face only carries hats
   const std::vector<NodeState>& nodes() const { return nodes_; }
   const std::vector<NodeCondition>& conditions() const { return conditions_; }
 
@@ -90,10 +110,18 @@ class Multipliers {
   HatMemory advance(const Surfaces& surfaces, const FacePositions& at) const;
 
  private:
+  void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
+                     const HatMemory& memory);
+  void face_each_other(const Surfaces& surfaces, const FacePositions& at);
+  Facing facing(const Surfaces& surfaces, Index partner, const Moved& place) const;
+  void find_reached(const Surfaces& surfaces);
   void judge(const Surfaces& surfaces, Index node, const HatMemory& memory);
 
   std::vector<Piece> pieces_;
-  std::vector<PieceIntegrals> integrals_;
+  std::vector<Overlap> overlaps_;
+  std::vector<OverlapIntegrals> integrals_;
+  std::vector<SlipByAnchor> by_anchor_;
+  std::vector<Facing> facing_;
   std::vector<NodeState> nodes_;
   std::vector<NodeCondition> conditions_;
   std::vector<double> covered_;  // per interval, metres

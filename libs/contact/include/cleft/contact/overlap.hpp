@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "cleft/contact/search.hpp"
 
@@ -24,12 +25,10 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
-/// A part of a strip that has one segment of the positive face opposite, one strip of it if it carries hats as well,
-/// and one trail, or none.
+/// A part of a strip that has one segment of the positive face opposite, and one trail, or none.
 struct Piece {
   Index strip = kNone;
-  Index partner = kNone;        ///< face
-  Index partner_strip = kNone;  ///< of the hats of the other face, if both have some
+  Index partner = kNone;  ///< face
   Index trail = kNone;
   double begin = 0.0, end = 0.0;  ///< places on the strip's face
   Bound begin_at, end_at;
@@ -44,34 +43,51 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
 std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, const std::vector<Piece>& pieces);
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces);
 
-/// What the integrals over a piece depend on, in this order, two components each: the ends of its own face and of the
-/// partner (current, metres), the multipliers (l_N, l_T) of the nodes of its own interval (Pa), the ends of the
-/// anchor's face, and the multipliers of the nodes of the partner's interval. Forces depend on the first twelve only.
-inline constexpr int kPieceInputs = 20, kForceInputs = 12;
-inline constexpr int kTractionInput = 8, kAnchorInput = 12, kOtherTractionInput = 16;
-/// Forces on the ends of its own face and of the partner (N/m); for the first node and then for the second the gap and
-/// the slip, int phi g_N ds and int phi g_T ds (m^2), and what its tractions are beyond those of the other face, int
-/// phi (t_N - j t'_N) ds and int phi (t_T + j t'_T) ds (N/m) with j = ds'/ds, the ratio of reference lengths that lie
-/// opposite each other; and their supports, int phi ds (m).
-inline constexpr int kPieceOutputs = 18;
-inline constexpr int kGapOutput = 8, kDifferenceOutput = 12, kSupportOutput = 16;
+/// All that a strip and a segment of the positive face have in common: consecutive pieces.
+struct Overlap {
+  Index strip = kNone, partner = kNone;
+  Index first = 0, last = 0;  ///< its pieces: first, ..., last - 1
+};
+std::vector<Overlap> overlaps_of(const std::vector<Piece>& pieces);
 
-struct PieceIntegrals {
-  Eigen::Matrix<double, kPieceOutputs, 1> value;
-  Eigen::Matrix<double, kGapOutput, kForceInputs> force_by;                 ///< derivatives of the forces
-  Eigen::Matrix<double, kPieceOutputs - kGapOutput, kPieceInputs> node_by;  ///< and of what follows them
+/// What the integrals over an overlap depend on, in this order, two components each: the ends of its own face and of
+/// the partner (current, metres), and the multipliers (l_N, l_T) of the nodes of its interval (Pa). Integrals for the
+/// nodes depend on the first eight only.
+inline constexpr int kOverlapInputs = 12, kNodeInputs = 8;
+/// Forces on the ends of its own face and of the partner (N/m); for the first node and then for the second the gap and
+/// the slip, int phi g_N ds and int phi g_T ds (m^2); and their supports, int phi ds (m).
+inline constexpr int kOverlapOutputs = 14;
+inline constexpr int kGapOutput = 8, kSupportOutput = 12;
+
+/// A value, and how it depends on the ends of the own face and of the partner.
+struct Moved {
+  double value = 0.0;
+  Eigen::Matrix<double, 1, kNodeInputs> by = Eigen::Matrix<double, 1, kNodeInputs>::Zero();
 };
 
-/// Integrals over a piece, by two Gauss points, which are exact but for what the curvature of the face makes of them,
-/// and their exact derivatives. At a point y with normal n, tangent t and hats phi_1, phi_2,
+struct OverlapIntegrals {
+  Eigen::Matrix<double, kOverlapOutputs, 1> value;
+  Eigen::Matrix<double, kGapOutput, kOverlapInputs> force_by;                ///< derivatives of the forces
+  Eigen::Matrix<double, kOverlapOutputs - kGapOutput, kNodeInputs> node_by;  ///< and of what follows them
+  Moved length_ratio;  ///< ds'/ds, the ratio of the reference lengths that lie opposite each other, if both have hats
+};
+/// Derivatives of a piece's slip, of the first and of the second node, with regard to the ends of its anchor's face.
+using SlipByAnchor = Eigen::Matrix<double, 2, 4>;
+
+/// Integrals over an overlap, by two Gauss points in each piece, which are exact but for what the curvature of the face
+/// makes of them, and their exact derivatives. At a point y with normal n, tangent t and hats phi_1, phi_2,
 ///
 ///     t_N = sum_k phi_k l_N,k     t_T = sum_k phi_k l_T,k     g_N = (x_B - y) . n     g_T = (x_A - y) . t
 ///     f   = int (N_+ - N_-)^T (t_N n + t_T t) + t_T g_N dth/dq ds
 ///
 /// with the partner x_B where the point's normal line meets the other face, the anchor x_A where it did when the last
 /// increment had converged, and the couple of pair.hpp. Lengths are of the undeformed face; where there is no trail the
-/// slip is 0.
-void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails, const Piece& piece,
-               const std::array<Vec2, 4>& multipliers, PieceIntegrals& out);
+/// slip is 0. `multipliers` are those of the two nodes, `by_anchor` has an entry for each piece.
+void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
+               std::span<const Piece> pieces, const std::array<Vec2, 2>& multipliers, OverlapIntegrals& out,
+               std::span<SlipByAnchor> by_anchor);
+
+/// The place on the segment `g` where the normal line of the place `eta` of the face `f` meets it.
+Moved place_opposite(const Surfaces& surfaces, const FacePositions& at, Index f, Index g, double eta);
 
 }  // namespace cleft::contact

@@ -1,4 +1,4 @@
-// What is integrated over a piece, against a plain sum over many points, and its derivatives against differences.
+// What is integrated over overlaps, against plain sums over many points, and its derivatives against differences.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,11 +9,12 @@
 namespace cleft::contact {
 namespace {
 
-using PieceInputs = Eigen::Matrix<double, kPieceInputs, 1>;
-using PieceOutputs = Eigen::Matrix<double, kPieceOutputs, 1>;
+constexpr int kAnchorInput = kOverlapInputs, kInputs = kOverlapInputs + 4;  // the ends of the anchor's face, too
+using Inputs = Eigen::Matrix<double, kInputs, 1>;
+using Outputs = Eigen::Matrix<double, kOverlapOutputs, 1>;
 
 // Two blocks that have slid, turned and warped, on anchors left behind at a smaller slip.
-class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
+class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
  protected:
   Slider slider{std::get<0>(GetParam())};
   FacePositions at;
@@ -40,23 +41,25 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
 
   Index face_of(const Piece& piece) const { return slider.surfaces.hats.strips[piece.strip].face; }
 
-  PieceInputs inputs(const Piece& piece) const {
+  Inputs inputs(const Piece& piece) const {
     const auto& hats = slider.surfaces.hats;
-    PieceInputs x = PieceInputs::Zero();
+    Inputs x = Inputs::Zero();
     const auto add_face = [&](int k, Index f) { x.segment<4>(k) << at.start[f], at.end[f]; };
-    const auto add_tractions = [&](int k, Index strip) {
-      const auto& interval = hats.intervals[hats.strips[strip].interval];
-      x.segment<4>(k) << traction[interval.first], traction[interval.second];
-    };
+    const auto ends = hats.ends(piece.strip);
     add_face(0, face_of(piece));
     add_face(4, piece.partner);
-    add_tractions(kTractionInput, piece.strip);
+    x.segment<4>(kNodeInputs) << traction[ends[0]], traction[ends[1]];
     if (piece.trail != kNone) add_face(kAnchorInput, trails[piece.trail].anchor_face);
-    if (piece.partner_strip != kNone) add_tractions(kOtherTractionInput, piece.partner_strip);
     return x;
   }
 
-  PieceIntegrals integrals(const Piece& piece, const PieceInputs& x) const {
+  struct Integrals {
+    OverlapIntegrals sums;
+    SlipByAnchor by_anchor;
+  };
+
+  // Over a single piece.
+  Integrals integrals(const Piece& piece, const Inputs& x) const {
     FacePositions moved = at;
     std::vector<Trail> trail = trails;
     const auto put = [&](int k, Index f) { moved.start[f] = x.segment<2>(k), moved.end[f] = x.segment<2>(k + 2); };
@@ -68,28 +71,25 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
       moved.end.emplace_back();
       put(kAnchorInput, trail[piece.trail].anchor_face);
     }
-    const auto pair = [&](int k) -> Vec2 { return x.segment<2>(k); };
-    PieceIntegrals out;
-    integrate(
-        slider.surfaces, moved, trail, piece,
-        {pair(kTractionInput), pair(kTractionInput + 2), pair(kOtherTractionInput), pair(kOtherTractionInput + 2)},
-        out);
+    Integrals out;
+    integrate(slider.surfaces, moved, trail, std::span(&piece, 1),
+              {x.segment<2>(kNodeInputs), x.segment<2>(kNodeInputs + 2)}, out.sums, std::span(&out.by_anchor, 1));
     return out;
   }
 
   // By the definitions, at the middles of many parts.
-  PieceOutputs summed(const Piece& piece, int parts) const {
+  Outputs summed(const Piece& piece, int parts) const {
     const auto& surfaces = slider.surfaces;
     const auto& hats = surfaces.hats;
     const auto& strip = hats.strips[piece.strip];
-    const auto &face = surfaces.faces[strip.face], &partner = surfaces.faces[piece.partner];
+    const auto& face = surfaces.faces[strip.face];
     const auto& interval = hats.intervals[strip.interval];
     const Vec2 a = at.start[strip.face], b = at.end[strip.face], c = at.start[piece.partner], d = at.end[piece.partner];
     const Vec2 reference = face.reference_end - face.reference_start;
     const Vec2 t = (surfaces.undeformed ? reference : Vec2(b - a)).normalized();
     const Vec2 n = face.normal_sign() * turn_left(t);
     const double both = std::get<0>(GetParam()) == NegativeSide::Both ? 0.5 : 1.0;
-    PieceOutputs out = PieceOutputs::Zero();
+    Outputs out = Outputs::Zero();
     for (int k = 0; k < parts; ++k) {
       const double eta = piece.begin + (k + 0.5) / parts * (piece.end - piece.begin);
       const double ds = both * reference.norm() * (piece.end - piece.begin) / parts;
@@ -117,34 +117,23 @@ class PieceIntegral : public testing::TestWithParam<std::tuple<NegativeSide, boo
         slip = surfaces.undeformed ? gap.dot(t) + reference.norm() * (place - eta)
                                    : ((1.0 - place) * p + place * q - y).dot(t);
       }
-      Vec2 beyond = Vec2::Zero();
-      if (piece.partner_strip != kNone) {
-        const auto& other = hats.strips[piece.partner_strip];
-        const auto& theirs = hats.intervals[other.interval];
-        const double there = hats.second_hat(partner, other, xi);
-        const Vec2 m = (1.0 - there) * traction[theirs.first] + there * traction[theirs.second];
-        const double lengths = (partner.reference_end - partner.reference_start).norm() / reference.norm();
-        const double ratio = surfaces.undeformed ? 1.0 : lengths * (b - a).norm() / std::fabs((d - c).dot(t));
-        beyond = {l.x() - ratio * m.x(), l.y() + ratio * m.y()};
-      }
       for (int i = 0; i < 2; ++i) {
         const double hat = ds * (i == 0 ? 1.0 - second : second);
         out.segment<2>(kGapOutput + 2 * i) += hat * Vec2(gap.dot(n), slip);
-        out.segment<2>(kDifferenceOutput + 2 * i) += hat * beyond;
         out(kSupportOutput + i) += hat;
       }
     }
     return out;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Sides, PieceIntegral,
+INSTANTIATE_TEST_SUITE_P(Sides, OverlapIntegral,
                          testing::Combine(testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both),
                                           testing::Bool()));
 
-TEST_P(PieceIntegral, IsTheSumOverManyPoints) {
+TEST_P(OverlapIntegral, IsTheSumOverManyPoints) {
   ASSERT_GT(pieces.size(), 40U);
   for (const Piece& piece : pieces) {
-    const PieceOutputs exact = integrals(piece, inputs(piece)).value;
+    const Outputs exact = integrals(piece, inputs(piece)).sums.value;
     const double far = (exact - summed(piece, 100)).cwiseAbs().maxCoeff(),
                  near = (exact - summed(piece, 200)).cwiseAbs().maxCoeff();
     EXPECT_LE(far, 1e-4 * exact.cwiseAbs().maxCoeff());
@@ -152,30 +141,105 @@ TEST_P(PieceIntegral, IsTheSumOverManyPoints) {
   }
 }
 
-TEST_P(PieceIntegral, HasExactDerivatives) {
+TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
+  const auto overlaps = overlaps_of(pieces);
+  Index next = 0, several = 0;
+  for (const Overlap& overlap : overlaps) {
+    ASSERT_EQ(overlap.first, next);
+    next = overlap.last;
+    several += overlap.last > overlap.first + 1;
+    const auto count = static_cast<std::size_t>(overlap.last - overlap.first);
+    const std::span<const Piece> own = std::span(pieces).subspan(overlap.first, count);
+    const auto ends = slider.surfaces.hats.ends(overlap.strip);
+    OverlapIntegrals whole;
+    std::vector<SlipByAnchor> by_anchor(count);
+    integrate(slider.surfaces, at, trails, own, {traction[ends[0]], traction[ends[1]]}, whole, by_anchor);
+    Outputs value = Outputs::Zero();
+    auto force_by = (0.0 * whole.force_by).eval();
+    auto node_by = (0.0 * whole.node_by).eval();
+    for (std::size_t p = 0; p < count; ++p) {
+      EXPECT_EQ(own[p].strip, overlap.strip);
+      EXPECT_EQ(own[p].partner, overlap.partner);
+      const auto part = integrals(own[p], inputs(own[p]));
+      value += part.sums.value;
+      force_by += part.sums.force_by;
+      node_by += part.sums.node_by;
+      EXPECT_EQ(by_anchor[p], part.by_anchor);
+    }
+    EXPECT_LE((whole.value - value).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_LE((whole.force_by - force_by).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE((whole.node_by - node_by).cwiseAbs().maxCoeff(), 1e-13);
+  }
+  EXPECT_EQ(next, static_cast<Index>(pieces.size()));
+  EXPECT_EQ(several > 0, !slider.surfaces.undeformed);
+}
+
+TEST_P(OverlapIntegral, HasExactDerivatives) {
   int moving = 0, anchored = 0, other = 0;
   for (const Piece& piece : pieces) {
     moving += piece.begin_at.by_partner || piece.end_at.by_partner;
     anchored += piece.trail != kNone;
-    other += piece.partner_strip != kNone;
-    const PieceInputs x = inputs(piece);
+    const bool hats_opposite = slider.surfaces.hats.on(piece.partner);
+    other += hats_opposite;
+    const Inputs x = inputs(piece);
     const auto exact = integrals(piece, x);
-    Eigen::Matrix<double, kPieceOutputs, kPieceInputs> derivative;
+    Eigen::Matrix<double, kOverlapOutputs, kInputs> derivative;
     derivative.setZero();
-    derivative.topLeftCorner<kGapOutput, kForceInputs>() = exact.force_by;
-    derivative.bottomRows<kPieceOutputs - kGapOutput>() = exact.node_by;
-    for (int k = 0; k < kPieceInputs; ++k) {
-      const double step = (k >= kTractionInput && k < kAnchorInput) || k >= kOtherTractionInput ? 1e-3 : 1e-7;
-      PieceInputs plus = x, minus = x;
+    derivative.topLeftCorner<kGapOutput, kOverlapInputs>() = exact.sums.force_by;
+    derivative.bottomLeftCorner<kOverlapOutputs - kGapOutput, kNodeInputs>() = exact.sums.node_by;
+    for (int k = 0; k < 2; ++k) derivative.block<1, 4>(kGapOutput + 2 * k + 1, kAnchorInput) = exact.by_anchor.row(k);
+    for (int k = 0; k < kInputs; ++k) {
+      const double step = k >= kNodeInputs && k < kAnchorInput ? 1e-3 : 1e-7;
+      Inputs plus = x, minus = x;
       plus(k) += step;
       minus(k) -= step;
-      const PieceOutputs difference = (integrals(piece, plus).value - integrals(piece, minus).value) / (2.0 * step);
+      const auto up = integrals(piece, plus).sums, down = integrals(piece, minus).sums;
+      const Outputs difference = (up.value - down.value) / (2.0 * step);
       EXPECT_LE((difference - derivative.col(k)).cwiseAbs().maxCoeff(), 1e-7) << "input " << k;
+      if (!hats_opposite || k >= kNodeInputs) continue;
+      EXPECT_NEAR((up.length_ratio.value - down.length_ratio.value) / (2.0 * step), exact.sums.length_ratio.by(k),
+                  1e-7);
     }
   }
   EXPECT_GT(anchored, 40);
   EXPECT_EQ(moving > 0, !slider.surfaces.undeformed);
   EXPECT_EQ(other > 0, std::get<0>(GetParam()) == NegativeSide::Both);
+}
+
+// Reference lengths that lie opposite each other, by where neighbouring places have their partners.
+TEST_P(OverlapIntegral, PlacesOppositeMoveByTheRatioOfLengths) {
+  const auto& surfaces = slider.surfaces;
+  for (const Piece& piece : pieces) {
+    if (!surfaces.hats.on(piece.partner)) continue;
+    const Index f = face_of(piece), g = piece.partner;
+    const auto length = [&](Index k) {
+      return (surfaces.faces[k].reference_end - surfaces.faces[k].reference_start).norm();
+    };
+    const double apart =
+        place_opposite(surfaces, at, f, g, piece.end).value - place_opposite(surfaces, at, f, g, piece.begin).value;
+    EXPECT_NEAR(std::fabs(apart) * length(g),
+                integrals(piece, inputs(piece)).sums.length_ratio.value * (piece.end - piece.begin) * length(f), 1e-12);
+  }
+}
+
+TEST_P(OverlapIntegral, PlaceOppositeHasExactDerivatives) {
+  const auto& surfaces = slider.surfaces;
+  const Piece& piece = pieces[pieces.size() / 2];
+  const Index f = face_of(piece), g = piece.partner;
+  const double eta = 0.5 * (piece.begin + piece.end);
+  const Moved exact = place_opposite(surfaces, at, f, g, eta);
+  const Inputs x = inputs(piece);
+  for (int k = 0; k < kNodeInputs; ++k) {
+    const auto moved = [&](double step) {
+      Inputs there = x;
+      there(k) += step;
+      FacePositions to = at;
+      to.start[f] = there.segment<2>(0), to.end[f] = there.segment<2>(2);
+      to.start[g] = there.segment<2>(4), to.end[g] = there.segment<2>(6);
+      return place_opposite(surfaces, to, f, g, eta).value;
+    };
+    EXPECT_NEAR((moved(1e-7) - moved(-1e-7)) / 2e-7, exact.by(k), 1e-6 * (1.0 + std::fabs(exact.by(k))));
+  }
 }
 
 }  // namespace

@@ -1,0 +1,243 @@
+#include <cmath>
+
+#include "cleft/contact/overlap.hpp"
+
+namespace cleft::contact {
+namespace {
+
+using NodeRow = Eigen::Matrix<double, 1, kNodeInputs>;
+
+// d(sum_k N_k x_k) . v for the four ends x_k
+NodeRow along(const Eigen::Vector4d& shape, const Vec2& v) {
+  NodeRow out;
+  for (int k = 0; k < 4; ++k) out.segment<2>(2 * k) = shape(k) * v.transpose();
+  return out;
+}
+
+// A linear function along a face: the second hat of an interval.
+struct Linear {
+  double start = 0.0, slope = 0.0;
+  double at(double place) const { return start + slope * place; }
+};
+
+Linear second_hat_of(const Surfaces& surfaces, const Strip& strip) {
+  const auto& face = surfaces.faces[strip.face];
+  const double start = surfaces.hats.second_hat(face, strip, 0.0);
+  return {start, surfaces.hats.second_hat(face, strip, 1.0) - start};
+}
+
+double length_at_rest(const enrichment::Face& face) { return (face.reference_end - face.reference_start).norm(); }
+
+// The overlap's own face with its frame, and the partner e against it. At small strain neither frame nor partner moves.
+struct Faces {
+  bool deformed = true;
+  Vec2 a, own, c, e, t, n;
+  double length = 0.0, et = 0.0, en = 0.0;
+  NodeRow spin = NodeRow::Zero();      // of the frame: dt = n spin, dn = -t spin
+  NodeRow d_length = NodeRow::Zero();  // of the own face's length
+
+  Faces(const Surfaces& surfaces, const FacePositions& at, Index f, Index g)
+      : deformed(!surfaces.undeformed), a(at.start[f]), own(at.end[f] - a), c(at.start[g]), e(at.end[g] - c) {
+    const auto& face = surfaces.faces[f];
+    const Vec2 line = deformed ? own : face.reference_end - face.reference_start;
+    length = line.norm();
+    t = line / length;
+    n = face.normal_sign() * turn_left(t);
+    et = e.dot(t);
+    en = e.dot(n);
+    if (!deformed) return;
+    spin = along({-1.0 / length, 1.0 / length, 0.0, 0.0}, n);
+    d_length = along({-1.0, 1.0, 0.0, 0.0}, t);
+  }
+
+  // Weights of the four ends in the vector from the place `eta` of the own face to the place `xi` of the partner.
+  static Eigen::Vector4d shape(double eta, double xi) { return {eta - 1.0, -eta, 1.0 - xi, xi}; }
+  Vec2 gap(double eta, double xi) const { return c + xi * e - a - eta * own; }
+
+  // Where the normal line of the place `eta` meets the partner; its derivative where the place itself moves, too.
+  Moved opposite(const Moved& eta) const {
+    if (!deformed) return eta;
+    Moved out{(a + eta.value * own - c).dot(t) / et};
+    const Vec2 gap_there = gap(eta.value, out.value);
+    out.by = (length * eta.by - along(shape(eta.value, out.value), t) - gap_there.dot(n) * spin) / et;
+    return out;
+  }
+
+  // ds'/ds from the lengths of both faces at rest.
+  Moved length_ratio(double reference, double partner_reference) const {
+    if (!deformed) return {1.0};
+    Moved out{partner_reference / reference * length / std::fabs(et)};
+    const NodeRow d_et = along({0.0, 0.0, -1.0, 1.0}, t) + en * spin;
+    out.by = out.value * (d_length / length - d_et / et);
+    return out;
+  }
+
+  Moved bound(const Bound& where, double fixed) const {
+    if (!where.by_partner) return {fixed};
+    Moved out{(c + where.place * e - a).dot(t) / length};
+    out.by = (along(shape(out.value, where.place), t) + gap(out.value, where.place).dot(n) * spin) / length;
+    return out;
+  }
+};
+
+// A point with its partner.
+struct Opposite {
+  Moved eta, xi, gap;
+  Eigen::Vector4d shape;
+
+  Opposite(const Faces& faces, const Moved& place) : eta(place), xi(faces.opposite(place)) {
+    shape = Faces::shape(eta.value, xi.value);
+    gap.value = faces.gap(eta.value, xi.value).dot(faces.n);
+    gap.by = along(shape, faces.n);
+    if (faces.deformed) gap.by += faces.en * xi.by;
+  }
+};
+
+// What is integrated over an overlap, theory (8.2): sums over its points.
+class Integral {
+ public:
+  Integral(const Surfaces& surfaces, const FacePositions& at, Index number, Index partner,
+           const std::array<Vec2, 2>& multipliers, OverlapIntegrals& out)
+      : at_(at),
+        strip_(surfaces.hats.strips[number]),
+        faces_(surfaces, at, strip_.face, partner),
+        multipliers_(multipliers),
+        hat_(second_hat_of(surfaces, strip_)),
+        slope_(hat_.slope * (multipliers[1] - multipliers[0])),
+        out_(out) {
+    const auto& face = surfaces.faces[strip_.face];
+    const auto& hats = surfaces.hats;
+    const auto& interval = hats.intervals[strip_.interval];
+    const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
+    const double length = length_at_rest(face);
+    half_ = 0.5 * factor * length;
+    if (hats.on(partner)) out_.length_ratio = faces_.length_ratio(length, length_at_rest(surfaces.faces[partner]));
+    out_.value.setZero();
+    out_.force_by.setZero();
+    out_.node_by.setZero();
+  }
+
+  void add_piece(const Piece& piece, const Trail* trail, SlipByAnchor& by_anchor) {
+    const Moved begin = faces_.bound(piece.begin_at, piece.begin), end = faces_.bound(piece.end_at, piece.end);
+    const Moved weight{half_ * (end.value - begin.value), half_ * (end.by - begin.by)};
+    by_anchor.setZero();
+    constexpr double kGauss = 0.21132486540518712;
+    for (const double place : {kGauss, 1.0 - kGauss}) {
+      Moved eta{begin.value + place * (end.value - begin.value)};
+      eta.by = begin.by + place * (end.by - begin.by);
+      add_point({faces_, eta}, weight, trail, by_anchor);
+    }
+  }
+
+  // The couple of pair.hpp, as two forces along the normal.
+  void add_couple() {
+    if (!faces_.deformed) return;
+    const double size = couple_.value / faces_.length;
+    Eigen::Matrix<double, 2, kOverlapInputs> d_pair = Eigen::Matrix<double, 2, kOverlapInputs>::Zero();
+    d_pair.leftCols<kNodeInputs>() =
+        (faces_.n * (couple_.by - size * faces_.d_length)) / faces_.length - (size * faces_.t) * faces_.spin;
+    for (int k = 0; k < 2; ++k) d_pair.col(kNodeInputs + 2 * k + 1) = couple_by_traction_[k] / faces_.length * faces_.n;
+    out_.value.segment<2>(0) -= size * faces_.n;
+    out_.value.segment<2>(2) += size * faces_.n;
+    out_.force_by.topRows<2>() -= d_pair;
+    out_.force_by.middleRows<2>(2) += d_pair;
+  }
+
+ private:
+  void add_point(const Opposite& at, const Moved& weight, const Trail* trail, SlipByAnchor& by_anchor) {
+    const double second = hat_.at(at.eta.value), w = weight.value;
+    const std::array<double, 2> hat{1.0 - second, second};
+    add_forces(at, weight, hat);
+    const Moved slip = trail ? slip_of(at, *trail) : Moved{};
+    for (int k = 0; k < 2; ++k) {
+      const Moved share{w * hat[k], hat[k] * weight.by + (k == 0 ? -w : w) * hat_.slope * at.eta.by};
+      add_node(kGapOutput + 2 * k, share, at.gap);
+      out_.value(kSupportOutput + k) += share.value;
+      out_.node_by.row(kSupportOutput - kGapOutput + k) += share.by;
+      if (!trail) continue;
+      add_node(kGapOutput + 2 * k + 1, share, slip);
+      if (!faces_.deformed) continue;
+      const double place = anchor_place(at.eta.value, *trail);
+      by_anchor.block<1, 2>(k, 0) += share.value * (1.0 - place) * faces_.t.transpose();
+      by_anchor.block<1, 2>(k, 2) += share.value * place * faces_.t.transpose();
+    }
+  }
+
+  void add_node(int k, const Moved& share, const Moved& of) {
+    out_.value(k) += share.value * of.value;
+    out_.node_by.row(k - kGapOutput) += share.value * of.by + of.value * share.by;
+  }
+
+  void add_forces(const Opposite& at, const Moved& weight, const std::array<double, 2>& hat) {
+    const Vec2 &t = faces_.t, &n = faces_.n;
+    const Vec2 traction = hat[0] * multipliers_[0] + hat[1] * multipliers_[1];
+    const double w = weight.value, tn = traction.x(), tt = traction.y();
+    const Vec2 pull = w * (tn * n + tt * t);
+    const NodeRow along_n = tn * weight.by + w * (slope_.x() * at.eta.by + tt * faces_.spin);
+    const NodeRow along_t = tt * weight.by + w * (slope_.y() * at.eta.by - tn * faces_.spin);
+    Eigen::Matrix<double, 2, kOverlapInputs> d_pull;
+    d_pull << n * along_n + t * along_t, w * hat[0] * n, w * hat[0] * t, w * hat[1] * n, w * hat[1] * t;
+    for (int k = 0; k < 4; ++k) {
+      out_.value.segment<2>(2 * k) += at.shape(k) * pull;
+      out_.force_by.middleRows<2>(2 * k) += at.shape(k) * d_pull;
+    }
+    const auto by_places = [&](int k, const NodeRow& d_place) {  // as shares go over from one end to the other
+      out_.force_by.middleRows<2>(k).leftCols<kNodeInputs>() += pull * d_place;
+      out_.force_by.middleRows<2>(k + 2).leftCols<kNodeInputs>() -= pull * d_place;
+    };
+    by_places(0, at.eta.by);
+    by_places(4, -at.xi.by);
+    if (!faces_.deformed) return;
+    couple_.value += w * tt * at.gap.value;
+    couple_.by += w * tt * at.gap.by + at.gap.value * (tt * weight.by + w * slope_.y() * at.eta.by);
+    for (int k = 0; k < 2; ++k) couple_by_traction_[k] += w * hat[k] * at.gap.value;
+  }
+
+  static double anchor_slope(const Trail& trail) {
+    return (trail.anchor_end - trail.anchor_begin) / (trail.end - trail.begin);
+  }
+  static double anchor_place(double eta, const Trail& trail) {
+    return trail.anchor_begin + anchor_slope(trail) * (eta - trail.begin);
+  }
+
+  // Its derivative is that with the anchor's face at rest.
+  Moved slip_of(const Opposite& at, const Trail& trail) const {
+    const double place = anchor_place(at.eta.value, trail);
+    if (!faces_.deformed)
+      return {faces_.gap(at.eta.value, at.eta.value).dot(faces_.t) + faces_.length * (place - at.eta.value),
+              along(at.shape, faces_.t)};
+    const Vec2 &p = at_.start[trail.anchor_face], pq = at_.end[trail.anchor_face] - p;
+    const Vec2 behind = p + place * pq - faces_.a - at.eta.value * faces_.own;
+    return {behind.dot(faces_.t), along({at.eta.value - 1.0, -at.eta.value, 0.0, 0.0}, faces_.t) +
+                                      behind.dot(faces_.n) * faces_.spin +
+                                      (anchor_slope(trail) * pq.dot(faces_.t) - faces_.length) * at.eta.by};
+  }
+
+  const FacePositions& at_;
+  const Strip& strip_;
+  const Faces faces_;
+  const std::array<Vec2, 2>& multipliers_;
+  const Linear hat_;
+  const Vec2 slope_;   // of the tractions along the face
+  double half_ = 0.0;  // weight of a point of a piece as long as the face
+  OverlapIntegrals& out_;
+  Moved couple_;
+  std::array<double, 2> couple_by_traction_{};
+};
+
+}  // namespace
+
+void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<Trail>& trails,
+               std::span<const Piece> pieces, const std::array<Vec2, 2>& multipliers, OverlapIntegrals& out,
+               std::span<SlipByAnchor> by_anchor) {
+  Integral sum(surfaces, at, pieces.front().strip, pieces.front().partner, multipliers, out);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    sum.add_piece(pieces[p], pieces[p].trail == kNone ? nullptr : &trails[pieces[p].trail], by_anchor[p]);
+  sum.add_couple();
+}
+
+Moved place_opposite(const Surfaces& surfaces, const FacePositions& at, Index f, Index g, double eta) {
+  return Faces(surfaces, at, f, g).opposite({eta});
+}
+
+}  // namespace cleft::contact
