@@ -128,7 +128,7 @@ TEST(ContactPressure, OfMortarContactDoesNotOscillateAndKeepsTheFacesApart) {
 
 // Without branch functions it is where the tip lies within its element that decides on the error of an irregular mesh.
 TEST(ContactPressure, OfMortarContactConvergesOnIrregularMeshes) {
-  const auto converges = [](const std::string& name, const std::array<std::string, 3>& meshes,
+  const auto converges = [](const std::string& name, const std::array<std::string, 3>& meshes, double refined,
                             const std::vector<std::string>& settings, const std::string& file,
                             const std::array<double, 2>& inner) {
     Case table("block to half load, mortar contact, branch functions, " + name);
@@ -138,20 +138,21 @@ TEST(ContactPressure, OfMortarContactConvergesOnIrregularMeshes) {
       all.insert(all.end(), settings.begin(), settings.end());
       errors[k] = error_of(solve(half_loaded(all, "method='mortar'")), file, inner);
     }
-    const double order = std::log2(errors.front() / errors.back()) / 2.0;
+    const double order = std::log(errors.front() / errors.back()) / std::log(refined);
     table.compare("what the order of the pressure's error lacks to 0.9", std::max(0.0, 0.9 - order), exact(0.0),
-                  within(0.0, "from the coarsest to the finest mesh, a quarter of its size"));
+                  within(0.0, "from the coarsest to the finest mesh"));
     fmt::print("errors {:.4f}, order {:.3f}\n", fmt::join(errors, ", "), order);
   };
   std::array<std::string, 3> perturbed, delaunay;
   for (int k = 0; k < 3; ++k) {
     perturbed[k] = "mesh={kind='gmsh',file='" + perturbed_mesh(16 << k) + "'}";
-    delaunay[k] = fmt::format("mesh={{kind='delaunay',box=[0.0,0.0,0.04,0.08],size=0.0035,refine={}}}", 1 << k);
+    delaunay[k] = fmt::format("mesh={{kind='delaunay',box=[0.0,0.0,0.04,0.08],size=0.0035,refine={}}}",
+                              std::array{1.0, 2.8, 5.6}[k]);
   }
-  converges("small strain, perturbed meshes", perturbed, {"formulation.kinematics=small"}, "block_pressure_tip.csv",
-            {0.0054, 0.0445});
-  converges("finite strain, perturbed meshes", perturbed, {}, "block_pressure_tip_finite.csv", {0.0087, 0.0334});
-  converges("finite strain, Delaunay meshes", delaunay, {}, "block_pressure_tip_finite.csv", {0.0087, 0.0334});
+  converges("small strain, perturbed meshes", perturbed, 4.0, {"formulation.kinematics=small"},
+            "block_pressure_tip.csv", {0.0054, 0.0445});
+  converges("finite strain, perturbed meshes", perturbed, 4.0, {}, "block_pressure_tip_finite.csv", {0.0087, 0.0334});
+  converges("finite strain, Delaunay meshes", delaunay, 5.6, {}, "block_pressure_tip_finite.csv", {0.0087, 0.0334});
 }
 
 // The error of most meshes is that of the body at the tip, which is too stiff: the pressure is too large all along, and

@@ -9,6 +9,10 @@ namespace {
 // A correction that the next one undercuts this many times is none of rounding.
 constexpr double kFalls = 10.0;
 
+// A step that gains less than this factor is still on its way: damped steps gain next to nothing, and the full one that
+// follows would show any order.
+constexpr double kGain = 2.0;
+
 // A displacement gradient of a correction below which its square is small against it.
 constexpr double kSmallGradient = 0.1;
 
@@ -25,10 +29,10 @@ std::span<const Iteration> settled(std::span<const Iteration> all) {
   return all.subspan(std::min(first, end), end - std::min(first, end));
 }
 
-// Of three corrections; nothing if the first step did not gain.
+// Of three corrections; nothing if the first step did not gain enough.
 std::optional<double> order_of(const Iteration* three, double Iteration::*size) {
   const double gained = std::log(three[0].*size / three[1].*size);
-  if (!(gained > 0.0)) return std::nullopt;
+  if (!(gained >= std::log(kGain))) return std::nullopt;
   return std::log(three[1].*size / three[2].*size) / gained;
 }
 

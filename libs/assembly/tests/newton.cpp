@@ -108,6 +108,12 @@ TEST(ConvergenceOrder, TakesTheHigherOfTwoBounds) {
   EXPECT_NEAR(convergence_order(its)->order, 7.0 / 3.0, 1e-12);
 }
 
+// Halved steps leave the correction as it was but for a little, and then a full one removes it.
+TEST(ConvergenceOrder, IsNotThatOfDampedSteps) {
+  EXPECT_FALSE(
+      convergence_order(iterations({{4e-3, 1.8662e-4, 0}, {2e-3, 1.8659e-4, 0}, {1e-6, 4.4e-8, 0}, {4e-14, 0, 0}})));
+}
+
 TEST(ConvergenceOrder, StartsWhereTheContactHasSettled) {
   const auto late = iterations({{1, 1, 0}, {1, 0.5, 0}, {1e-2, 1e-2, 3}, {1e-3, 1e-4, 0}, {1e-6, 1e-8, 0}});
   EXPECT_NEAR(convergence_order(late)->order, 2.0, 1e-12);

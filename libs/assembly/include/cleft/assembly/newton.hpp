@@ -76,7 +76,7 @@ struct ConvergenceOrder {
 /// residual is, or if the next one is ten times smaller: rounding does not shrink. Where there are two only, the next
 /// one, which rounding can but enlarge, gives a lower bound; it is taken in the largest displacement as well, and the
 /// higher bound counts, as the order does not depend on the norm. `iterations` are those of one increment and what they
-/// left. Nothing where there are not even those, or where the corrections do not fall.
+/// left. Nothing where there are not even those, or where the second is more than half of the first.
 ///
 /// Three numbers show the order only as far as the constant C of e' = C e^2 is the same in both steps. The strains'
 /// nonlinearity is quadratic in the displacement gradient, at each point on its own: in the largest gradient C hardly
