@@ -1,13 +1,31 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
 #include "cleft/support/error.hpp"
+#include "cleft/support/nearest.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
 namespace {
+
+// A first word that is no option must be a verb; the parser itself would only miss one.
+void check_verb(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(verb->get_name());
+  const std::string word = argv[1];
+  if (std::ranges::find(verbs, word) != verbs.end()) return;
+  const std::vector<std::string_view> names(verbs.begin(), verbs.end());
+  const auto near = nearest(word, names);
+  throw InputError({"command line"}, word,
+                   fmt::format("unknown verb; {}allowed: {}",
+                               near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(verbs, ", ")));
+}
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"frictional cracks in solids at large deformation"};
@@ -29,6 +47,7 @@ int dispatch(int argc, char** argv) {
   add_report(app, result);
   add_manual(app, result);
   try {
+    check_verb(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kBadInput;

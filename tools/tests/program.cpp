@@ -100,6 +100,8 @@ TEST(Program, NamesAMissingFileAndAWrongCommandLine) {
   EXPECT_NE(call("check nowhere.toml").text.find("nowhere.toml: there is no such file"), std::string::npos);
   EXPECT_EQ(call("run").code, 2);
   EXPECT_EQ(call("walk").code, 2);
+  EXPECT_NE(call("runn block.toml").text.find("runn: unknown verb; did you mean 'run'? allowed: init, "),
+            std::string::npos);
 }
 
 TEST(Program, AFailedSolutionKeepsWhatConvergedAndSaysWhy) {

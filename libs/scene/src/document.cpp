@@ -1,6 +1,7 @@
 #include "document.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,8 +131,10 @@ Document Document::load(const std::string& file, const std::vector<std::string>&
     document.root = toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     const auto at = error.source().begin;
-    throw InputError({file, static_cast<int>(at.line), static_cast<int>(at.column)}, "",
-                     "not valid TOML: " + std::string(error.description()));
+    std::string problem = "not valid TOML: " + std::string(error.description());
+    if (problem.find("redefine existing table") != std::string::npos)
+      problem += "; what may come more than once has two brackets: [[crack]]";
+    throw InputError({file, static_cast<int>(at.line), static_cast<int>(at.column)}, "", problem);
   }
   for (const auto& o : overrides) apply(document, o);
   return document;
@@ -148,14 +151,27 @@ Location Document::locate(const toml::node& node, const std::string& path) const
   return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
 }
 
+namespace {
+
+// What an unknown key could have been meant for: another name, another section, another kind of file.
+std::string meant_by(const std::string& kind, std::string_view key) {
+  if (const auto near = nearest_key(kind, key); !near.empty()) return fmt::format("did you mean '{}'? ", near);
+  std::vector<std::string> places;
+  for (const auto section : sections_with(key))
+    places.push_back(section.empty()      ? "a scene (`cleft run`)"
+                     : section == "study" ? "a study (`cleft converge`)"
+                                          : fmt::format("[{}]", section));
+  if (places.empty() || places.size() > 2) return {};
+  return fmt::format("it belongs to {}; ", fmt::join(places, " or to "));
+}
+
+}  // namespace
+
 Section::Section(const Document& document, const toml::table& table, std::string path, std::string kind)
     : document_(&document), table_(&table), path_(std::move(path)), kind_(std::move(kind)) {
   for (const auto& [key, value] : table) {
     if (is_key(kind_, key.str())) continue;
-    const auto near = nearest_key(kind_, key.str());
-    std::string problem = "unknown key; ";
-    if (!near.empty()) problem += fmt::format("did you mean '{}'? ", near);
-    problem += "allowed:";
+    std::string problem = "unknown key; " + meant_by(kind_, key.str()) + "allowed:";
     const char* separator = " ";
     for (const Key& k : scene_keys()) {
       if (k.section != kind_) continue;

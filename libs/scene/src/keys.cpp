@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "cleft/support/nearest.hpp"
+
 namespace cleft::scene {
 namespace {
 
@@ -19,10 +21,10 @@ constexpr std::array kKeys = {
     Key{"", "exact", "section", "an exact solution to measure errors against"},
     Key{"", "loading", "section", "increments and outputs"},
     Key{"", "solver", "section", "tolerances"},
-    Key{"mesh", "kind", "text", "structured | delaunay | gmsh"},
+    Key{"mesh", "kind", "text", "structured | delaunay | gmsh; default structured"},
     Key{"mesh", "box", "4 numbers", "xmin, ymin, xmax, ymax, m"},
     Key{"mesh", "cells", "2 integers", "cells across and up, two triangles each"},
-    Key{"mesh", "diagonal", "text", "right (lower left to upper right) | left | alternating"},
+    Key{"mesh", "diagonal", "text", "right (lower left to upper right) | left | alternating; default right"},
     Key{"mesh", "focus", "table", "where the cells are small"},
     Key{"mesh", "outline", "array of points", "of delaunay, in place of box: the body's polygon, m"},
     Key{"mesh", "names", "array of texts", "of an outline: each edge's boundary; default edge1, edge2, ..."},
@@ -42,24 +44,27 @@ constexpr std::array kKeys = {
     Key{"material", "cohesion", "number", "of drucker-prager, alpha, Pa"},
     Key{"material", "friction", "number", "of drucker-prager, beta"},
     Key{"material", "dilatancy", "number", "of drucker-prager, b"},
-    Key{"material", "hardening", "number", "Pa: uniaxial modulus of j2, d alpha/d gamma of drucker-prager"},
-    Key{"material", "viscosity", "number", "Pa: stress beyond yield per plastic multiplier and unit of the load"},
+    Key{"material", "hardening", "number", "Pa: uniaxial modulus of j2, d alpha/d gamma of drucker-prager; default 0"},
+    Key{"material", "viscosity", "number",
+        "Pa: stress beyond yield per plastic multiplier and unit of the load; default 0"},
     Key{"material", "region", "text or table", "the part of the body that it fills; default: all that others leave"},
     Key{"material.region", "crack", "text", "name of a crack that divides the body"},
     Key{"material.region", "side", "text", "left | right of that crack"},
-    Key{"formulation", "kinematics", "text", "finite | small"},
-    Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none"},
-    Key{"formulation", "f_bar", "true or false", "patches of two triangles share their change of volume"},
+    Key{"formulation", "kinematics", "text", "finite | small; default finite"},
+    Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none; default 0"},
+    Key{"formulation", "f_bar", "true or false",
+        "patches of two triangles share their change of volume; default false"},
     Key{"crack", "name", "text", "names its result file"},
     Key{"crack", "points", "array of points", "polyline in the reference configuration, m"},
     Key{"crack", "curve", "text", "sine"},
     Key{"crack", "start", "point", "first point of the curve, m"},
     Key{"crack", "end", "point", "last point of the curve, m"},
     Key{"crack", "amplitude", "number", "of the sine, m, first wave to the left"},
-    Key{"crack", "periods", "number", "of the sine"},
-    Key{"crack", "negative_side", "text", "side whose face carries the contact quadrature: left | right | both"},
-    Key{"crack", "friction", "number", "Coulomb's coefficient"},
-    Key{"crack", "intensities", "true or false", "stress intensity factors of its tips, in history.csv"},
+    Key{"crack", "periods", "number", "of the sine; default 1"},
+    Key{"crack", "negative_side", "text",
+        "side whose face carries the contact quadrature: left | right | both; default right"},
+    Key{"crack", "friction", "number", "Coulomb's coefficient; default 0"},
+    Key{"crack", "intensities", "true or false", "stress intensity factors of its tips, in history.csv; default false"},
     Key{"crack", "contact", "table", "method and penalties"},
     Key{"crack.contact", "method", "text", "mortar | penalty; default mortar, or penalty where one is given"},
     Key{"crack.contact", "normal_penalty", "number", "of penalty contact, Pa/m; default E/h"},
@@ -85,30 +90,31 @@ constexpr std::array kKeys = {
     Key{"boundary", "affine", "2 x 2 numbers", "u = A X at factor 1"},
     Key{"boundary", "field", "text or table", "a registered displacement field"},
     Key{"boundary", "rotation", "table", "rigid rotation on top of the rest"},
-    Key{"boundary", "amplitude", "array of pairs", "load, factor"},
+    Key{"boundary", "amplitude", "array of pairs", "load, factor; default [[0, 0], [1, 1]]"},
     Key{"boundary.rotation", "center", "point", "m"},
     Key{"boundary.rotation", "degrees", "number", "counter-clockwise at factor 1"},
-    Key{"boundary.rotation", "amplitude", "array of pairs", "load, factor"},
+    Key{"boundary.rotation", "amplitude", "array of pairs", "load, factor; default [[0, 0], [1, 1]]"},
     Key{"traction", "on", "text", "named part of the boundary"},
     Key{"traction", "value", "2 numbers", "Pa, per reference area"},
-    Key{"traction", "amplitude", "array of pairs", "load, factor"},
+    Key{"traction", "amplitude", "array of pairs", "load, factor; default [[0, 0], [1, 1]]"},
     Key{"gravity", "value", "2 numbers", "m/s^2"},
     Key{"gravity", "density", "number", "kg/m^3"},
-    Key{"gravity", "amplitude", "array of pairs", "load, factor"},
+    Key{"gravity", "amplitude", "array of pairs", "load, factor; default [[0, 0], [1, 1]]"},
     Key{"exact", "solution", "text or table", "a registered field"},
-    Key{"loading", "steps", "integer", "equal increments from load 0 to 1"},
+    Key{"loading", "steps", "integer", "equal increments from load 0 to 1; default 50"},
     Key{"loading", "outputs", "array of numbers", "loads hit exactly and written as fields; default: every step"},
-    Key{"loading", "control", "text", "load | path: where the load fails to rise, follow the path that turns back"},
+    Key{"loading", "control", "text",
+        "load | path: where the load fails to rise, follow the path that turns back; default load"},
     Key{"solver", "accuracy", "number",
         "part of the external work that increments longer than 1/steps may miss; sets the tolerances unless they are "
-        "given"},
-    Key{"solver", "residual_tolerance", "number", "relative to the forces"},
-    Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment"},
-    Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already"},
-    Key{"solver", "max_iterations", "integer", "before an increment is cut"},
-    Key{"solver", "min_step", "number", "smallest increment of the load"},
-    Key{"solver", "extrapolate", "true or false", "start from the last increment continued"},
-    Key{"solver", "gauss_points", "integer", "contact points a crack segment, 1 to 4"},
+        "given; default 0"},
+    Key{"solver", "residual_tolerance", "number", "relative to the forces; default 1e-8"},
+    Key{"solver", "correction_tolerance", "number", "relative to the displacement of the increment; default 1e-5"},
+    Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already; default 0"},
+    Key{"solver", "max_iterations", "integer", "before an increment is cut; default 12"},
+    Key{"solver", "min_step", "number", "smallest increment of the load; default 1e-4"},
+    Key{"solver", "extrapolate", "true or false", "start from the last increment continued; default true"},
+    Key{"solver", "gauss_points", "integer", "contact points a crack segment, 1 to 4; default 2"},
     Key{"solver", "search_radius", "number", "m; default by scale"},
     Key{"study", "title", "text", "one line for reports"},
     Key{"study", "scene", "text", "scene file, relative to the study"},
@@ -133,20 +139,6 @@ constexpr std::array kKeys = {
     Key{"study.quantity", "limit_within", "2 numbers", "the study fails where the limit is outside"},
 };
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 std::span<const Key> scene_keys() { return kKeys; }
@@ -156,16 +148,17 @@ bool is_key(std::string_view section, std::string_view name) {
 }
 
 std::string_view nearest_key(std::string_view section, std::string_view mistyped) {
-  std::string_view best;
-  std::size_t least = 1 + std::max<std::size_t>(2, mistyped.size() / 3);
-  for (const Key& key : kKeys) {
-    if (key.section != section) continue;
-    if (const std::size_t d = edit_distance(mistyped, key.name); d < least) {
-      least = d;
-      best = key.name;
-    }
-  }
-  return best;
+  std::vector<std::string_view> names;
+  for (const Key& key : kKeys)
+    if (key.section == section) names.push_back(key.name);
+  return nearest(mistyped, names);
+}
+
+std::vector<std::string_view> sections_with(std::string_view name) {
+  std::vector<std::string_view> out;
+  for (const Key& key : kKeys)
+    if (key.name == name) out.push_back(key.section);
+  return out;
 }
 
 }  // namespace cleft::scene

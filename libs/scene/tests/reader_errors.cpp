@@ -30,8 +30,20 @@ TEST(SceneReader, SuggestsTheNearestKeyForAnUnknownOne) {
   });
 }
 
+TEST(SceneReader, SaysWhereAKeyOfAnotherPlaceBelongs) {
+  expect_all_reported({
+      {"title =", "@cells = [[8, 16]]\ntitle =", "cells",
+       "it belongs to [mesh] or to a study (`cleft converge`); allowed: title"},
+      {"title =", "@quantity = []\ntitle =", "quantity", "it belongs to a study (`cleft converge`); allowed: title"},
+      {"young =", "@smoothing = 2\nyoung =", "material.smoothing", "it belongs to [crack.contact]; allowed: model"},
+      {"young =", "@boundary = 2\nyoung =", "material.boundary", "it belongs to a scene (`cleft run`); allowed: model"},
+      {"young =", "@amplitude = 2\nyoung =", "material.amplitude", "unknown key; allowed: model"},  // of five sections
+  });
+}
+
 TEST(SceneReader, ReportsFaultsOfTheTextItself) {
   expect_all_reported({
+      {"[loading]", "@[mesh]\n[loading]", "", "[[crack]]"},
       {"steps = 6", "steps = @= 6", "", "not valid TOML"},
       {"[loading]", "@loading = 3\n[loading]", "gravity.loading", "unknown key"},
   });

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace cleft::scene {
 
@@ -19,6 +20,9 @@ std::span<const Key> scene_keys();
 
 /// The key of the section nearest to a mistyped one, or empty if none is near.
 std::string_view nearest_key(std::string_view section, std::string_view mistyped);
+
+/// All sections that have a key of this name.
+std::vector<std::string_view> sections_with(std::string_view name);
 
 bool is_key(std::string_view section, std::string_view name);
 
