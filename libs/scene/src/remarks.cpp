@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "cleft/geometry/distance.hpp"
 #include "cleft/scene/problem.hpp"
@@ -21,6 +24,7 @@ constexpr double kSmallBall = 2.0;     // elements; at 3 intensities are within 
 constexpr double kStiff = 10.0;  // times E/h: on the block the pressure's variation is then four times that of E/h
 constexpr double kSoft = 0.1;    // times E/h: on the block faces overlap by 0.015 elements with E/h
 constexpr double kIncompressible = 0.49;  // Poisson's ratio
+constexpr double kRough = 2.0;            // coefficient of friction
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
@@ -108,6 +112,10 @@ void about_penalty(const std::string& crack, const char* name, double penalty, d
 
 void about_contact(const CrackSpec& spec, const std::string& crack, const contact::Law& law, double scale, Lines& out) {
   if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
+  if (law.friction > kRough)
+    out.push_back(fmt::format(
+        "{}: friction {:.4g} is an angle of {:.1f} degrees; it is a coefficient, neither degrees nor percent", crack,
+        law.friction, std::atan(law.friction) * 180.0 / std::numbers::pi));
   if (spec.mortar.on) return;
   about_penalty(crack, "normal penalty", law.normal_penalty, scale,
                 "an oscillating contact pressure, and smaller increments", "faces that overlap", out);
@@ -152,6 +160,28 @@ void about_material(const Scene& scene, const MaterialSpec& m, Lines& out) {
                     material, m.poisson, 2.0 / 3.0 * (1.0 + m.poisson) / (1.0 - 2.0 * m.poisson)));
 }
 
+void about_boundary(const BoundarySpec& b, double extent, Lines& out) {
+  const double first = b.amplitude(0.0);
+  const bool moves = b.affine || b.field || b.ux.value_or(0.0) != 0.0 || b.uy.value_or(0.0) != 0.0;
+  if (first != 0.0 && moves)
+    out.push_back(fmt::format("boundary '{}': its factor is {} already at load 0; the first increment takes it whole",
+                              b.name, first));
+  double most = std::fabs(b.amplitude(1.0));
+  for (const auto& [load, factor] : b.amplitude.points) most = std::max(most, std::fabs(factor));
+  const double far = most * Vec2(b.ux.value_or(0.0), b.uy.value_or(0.0)).norm();
+  if (far > extent)
+    out.push_back(
+        fmt::format("boundary '{}': moves by {:.3g} m, more than the body measures from corner to corner ({:.3g} m)",
+                    b.name, far, extent));
+}
+
+// From corner to corner of the box around the body, metres.
+double extent_of(const geometry::Mesh& mesh) {
+  Eigen::AlignedBox2d box;
+  for (const Vec2& x : mesh.nodes) box.extend(x);
+  return box.diagonal().norm();
+}
+
 }  // namespace
 
 std::vector<std::string> remarks(const Scene& scene, const assembly::Model& model) {
@@ -162,14 +192,8 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, outline, k, size[k], scale[k], out);
   }
   for (const auto& material : scene.materials) about_material(scene, material, out);
-  for (const auto& b : scene.boundaries)
-    if (b.ux || b.uy || b.affine || b.field) {
-      const double factor = b.amplitude(0.0);
-      const bool moves = b.affine || b.field || b.ux.value_or(0.0) != 0.0 || b.uy.value_or(0.0) != 0.0;
-      if (factor != 0.0 && moves)
-        out.push_back(fmt::format(
-            "boundary '{}': its factor is {} already at load 0; the first increment takes it whole", b.name, factor));
-    }
+  const double extent = extent_of(model.mesh);
+  for (const auto& b : scene.boundaries) about_boundary(b, extent, out);
   for (const auto& t : scene.tractions)
     for (const auto& b : scene.boundaries)
       if (b.on == t.on && b.components()[0] && b.components()[1])

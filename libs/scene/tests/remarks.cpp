@@ -54,6 +54,16 @@ std::string before(const std::vector<std::string>& overrides, const std::string&
   return joined(remarks(scene, build_model(scene)));
 }
 
+TEST(Remarks, FiguresOfAnotherUnitAreToldAsSuch) {
+  EXPECT_EQ(before({"crack.main.friction=2"}), "");
+  EXPECT_EQ(
+      before({"crack.main.friction=30"}),
+      "crack 'main': friction 30 is an angle of 88.1 degrees; it is a coefficient, neither degrees nor percent\n");
+  EXPECT_EQ(before({"boundary.top.uy=-1"}), "");
+  EXPECT_EQ(before({"boundary.top.uy=-1", "boundary.top.amplitude=[[0,0],[0.5,-2],[1,0]]"}),
+            "boundary 'top': moves by 2 m, more than the body measures from corner to corner (1.41 m)\n");
+}
+
 TEST(Remarks, ASoundSceneHasNone) {
   EXPECT_EQ(before({}), "");
   EXPECT_EQ(before({"crack.main.contact={}"}), "") << "mortar contact";
