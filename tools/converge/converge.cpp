@@ -16,7 +16,11 @@ struct Options {
   verify::StudyOptions run;
 };
 
+// What cannot be told is a dash.
+std::string number(double value, int digits) { return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value, digits); }
+
 std::string with_uncertainty(double value, double pm) {
+  if (std::isnan(value)) return "-";
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
@@ -46,8 +50,8 @@ void print(const scene::Study& study, const verify::StudyResult& result) {
                "rel. error", "seconds", "MB", "iter.");
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       const auto& r = result.runs[s.runs[k]];
-      fmt::print("  {:>10} {:>11.4g} {:>8} {:>14.7g} {:>11.3g} {:>9.2f} {:>7.0f} {:>7}\n", r.mesh, r.h, r.unknowns,
-                 r.value[s.quantity], s.error[k] / s.scale, r.seconds, r.megabytes, r.iterations);
+      fmt::print("  {:>10} {:>11.4g} {:>8} {:>14.7g} {:>11} {:>9.2f} {:>7.0f} {:>7}\n", r.mesh, r.h, r.unknowns,
+                 r.value[s.quantity], number(s.error[k] / s.scale, 3), r.seconds, r.megabytes, r.iterations);
     }
     const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
     if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
@@ -81,7 +85,9 @@ void add_converge(CLI::App& app, int& result) {
   verb->add_option("study", options->study, "study file (TOML)")->required();
   verb->add_option("-o,--output", options->run.directory, "folder for the results; runs in it are used again")
       ->required();
-  verb->add_option("--jobs", options->run.jobs, "runs at a time; 1 where seconds matter")->check(CLI::Range(1, 256));
+  verb->add_option("--jobs", options->run.jobs, "runs at a time; 1 where seconds matter")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 256));
   verb->callback([options, &result] { result = converge(*options); });
 }
 

@@ -110,6 +110,7 @@ void add_newton(CLI::App& app, int& result) {
       ->required();
   verb->add_option("-o,--output", options->directory, "folder for the run of a scene; default: a temporary one");
   verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->add_option("--order", options->required.order, "order that increments must show")
       ->check(CLI::Range(0.0, 10.0))

@@ -75,6 +75,42 @@ TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
   }
 }
 
+// Both faces have points: of opposite shear tractions, and at places of their own once they have slid.
+TEST(Study, ComparesOneFaceWhereBothHavePoints) {
+  const std::string shear = "[[quantity]]\ncrack = \"main\"\ncolumn = \"tt\"\nrange = [0.01, 0.03]\n";
+  const Fresh s("faces", block("cells = [[4, 8], [8, 16], [16, 32]]\n"
+                               "sweep = { key = \"crack.main.negative_side\", values = [\"left\", \"both\"] }\n" +
+                               shear + shear + "side = \"left\"\n"));
+  const std::string both_only = "[[quantity]]\ncrack = \"main\"\ncolumn = \"tt\"\nside = \"right\"\n";
+  const StudyResult r = s.run();
+  ASSERT_TRUE(r.failed.empty()) << r.failed[0];
+  ASSERT_EQ(r.series.size(), 4u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double left = r.series[0].error[k], both = r.series[1].error[k], said = r.series[3].error[k];
+    EXPECT_EQ(both, said) << "the left face if nothing is said";
+    EXPECT_LT(std::fabs(both - left), 0.2 * left);
+  }
+  const Fresh missing("no_face", block("cells = [[4, 8], [8, 16]]\n" + both_only));
+  try {
+    missing.run();
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "quantity[0].side");
+    EXPECT_NE(error.problem().find("the right face of crack 'main' has no points"), std::string::npos);
+  }
+}
+
+TEST(Study, SaysNothingOfOrdersThatTwoMeshesDoNotShow) {
+  const Fresh s("two", block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.1\n"
+                             "[[quantity]]\ncrack = \"main\"\ncolumn = \"pressure\"\nload = 0.1\n"));
+  const StudyResult r = s.run();
+  ASSERT_EQ(r.series.size(), 2u);
+  for (const auto& series : r.series) {
+    EXPECT_TRUE(std::isnan(series.fit.order));
+    for (const double error : series.error) EXPECT_TRUE(std::isnan(error));
+  }
+}
+
 TEST(Study, RunsOnlyWhatChanged) {
   const std::string text = block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.2\n");
   const Fresh first("kept", text);

@@ -139,8 +139,10 @@ TEST(ContactPressure, OfMortarContactConvergesOnIrregularMeshes) {
       errors[k] = error_of(solve(half_loaded(all, "method='mortar'")), file, inner);
     }
     const double order = std::log(errors.front() / errors.back()) / std::log(refined);
-    table.compare("what the order of the pressure's error lacks to 0.9", std::max(0.0, 0.9 - order), exact(0.0),
-                  within(0.0, "from the coarsest to the finest mesh"));
+    table.compare(
+        "what the order of the pressure's error lacks to 0.9", std::max(0.0, 0.9 - order), exact(0.0),
+        within(0.0,
+               "from the coarsest to the finest mesh; P1 without a singularity has 1, less in pre-asymptotic meshes"));
     fmt::print("errors {:.4f}, order {:.3f}\n", fmt::join(errors, ", "), order);
   };
   std::array<std::string, 3> perturbed, delaunay;

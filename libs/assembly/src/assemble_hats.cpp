@@ -128,13 +128,14 @@ void Assembler::add_overlap(std::size_t number) {
 void Assembler::add_anchor(Index number, Index face) {
   const auto& surfaces = model_.surfaces;
   const Index strip = multipliers_.pieces()[number].strip;
+  const auto ends = surfaces.hats.ends(strip);
+  const auto by_slip = [&](int k) { return multipliers_.conditions()[ends[k]].by_integral.y(); };
+  if (by_slip(0) == 0.0 && by_slip(1) == 0.0) return;
+  const Columns columns = columns_of(surfaces, strip, face);
+  const auto& places = places_of(strip, face);
   for (int k = 0; k < 2; ++k) {
-    const auto& condition = multipliers_.conditions()[surfaces.hats.ends(strip)[k]];
-    if (condition.by_integral.y() == 0.0) continue;
-    const Columns columns = columns_of(surfaces, strip, face);
-    const auto& places = places_of(strip, face);
     Eigen::Matrix<double, 2, kNodeInputs> by = Eigen::Matrix<double, 2, kNodeInputs>::Zero();
-    by.row(1).tail<4>() = condition.by_integral.y() * multipliers_.by_anchor()[number].row(k);
+    by.row(1).tail<4>() = by_slip(k) * multipliers_.by_anchor()[number].row(k);
     for (int c = 0; c < columns.size(); ++c)
       if (columns[c].input == 4)
         matrix_.add(places[(columns.size() - 2 + k) * columns.size() + c], block_of(by, columns[c]));

@@ -25,6 +25,42 @@ Compliance compliance(const Mortar& mortar, double length, double covered) {
   return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
 }
 
+bool has_hats_on_both_faces(const Surfaces& surfaces) {
+  for (std::size_t c = 0; c < surfaces.mortar.size(); ++c)
+    if (surfaces.mortar[c].on && surfaces.sides[c] == NegativeSide::Both) return true;
+  return false;
+}
+
+// The place nearest to a node that has something opposite.
+struct Nearest {
+  Index overlap = kNone;
+  double away = 0.0, eta = 0.0;
+  Bound bound;
+};
+
+// Of each node whose other face has hats, too.
+std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<Piece>& pieces,
+                                    const std::vector<Overlap>& overlaps) {
+  const auto& hats = surfaces.hats;
+  std::vector<Nearest> out(hats.nodes.size());
+  for (Index o = 0; o < static_cast<Index>(overlaps.size()); ++o) {
+    const auto& [strip, partner, first, last] = overlaps[o];
+    if (!hats.on(partner)) continue;
+    const auto& face = surfaces.faces[hats.strips[strip].face];
+    const double length = face.s_end - face.s_start;
+    const auto offer = [&](Index node, double eta, const Bound& bound) {
+      const double away = std::fabs(face.s_start + eta * length - hats.nodes[node].s);
+      // Of two that meet at the node: that of the same face also if the crack's points come in reverse order.
+      const double tie = face.side == geometry::Side::Left ? kTie * length : -kTie * length;
+      if (out[node].overlap == kNone || away < out[node].away + tie) out[node] = {o, away, eta, bound};
+    };
+    const auto ends = hats.ends(strip);
+    offer(ends[0], pieces[first].begin, pieces[first].begin_at);
+    offer(ends[1], pieces[last - 1].end, pieces[last - 1].end_at);
+  }
+  return out;
+}
+
 double own_part(double coverage) { return std::min(1.0, coverage / kCover); }
 
 }  // namespace
@@ -50,7 +86,7 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
   }
   find_overlaps(surfaces, at, pairs, memory);
   facing_.clear();
-  if (std::ranges::find(surfaces.sides, NegativeSide::Both) != surfaces.sides.end()) face_each_other(surfaces, at);
+  if (has_hats_on_both_faces(surfaces)) face_each_other(surfaces, at);
   find_reached(surfaces);
   conditions_.assign(nodes_.size(), {});
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) judge(surfaces, i, memory);
@@ -85,56 +121,34 @@ void Multipliers::find_overlaps(const Surfaces& surfaces, const FacePositions& a
 // theory (8.6)
 void Multipliers::face_each_other(const Surfaces& surfaces, const FacePositions& at) {
   const auto& hats = surfaces.hats;
-  struct Nearest {
-    Index overlap = kNone;
-    double away = 0.0, eta = 0.0;
-    Bound bound;
-  };
-  std::vector<Nearest> nearest(nodes_.size());
-  for (Index o = 0; o < static_cast<Index>(overlaps_.size()); ++o) {
-    const auto& [strip, partner, first, last] = overlaps_[o];
-    if (!hats.on(partner)) continue;
-    const auto& face = surfaces.faces[hats.strips[strip].face];
-    const double length = face.s_end - face.s_start;
-    const auto ends = hats.ends(strip);
-    const auto offer = [&](Index node, double eta, const Bound& bound) {
-      const double away = std::fabs(face.s_start + eta * length - hats.nodes[node].s);
-      auto& best = nearest[node];
-      // Of two that meet at the node: that of the same face also if the crack's points come in reverse order.
-      const double tie = face.side == geometry::Side::Left ? kTie * length : -kTie * length;
-      if (best.overlap == kNone || away < best.away + tie) best = {o, away, eta, bound};
-    };
-    offer(ends[0], pieces_[first].begin, pieces_[first].begin_at);
-    offer(ends[1], pieces_[last - 1].end, pieces_[last - 1].end_at);
+  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
+    const auto ends = hats.ends(overlaps_[o].strip);
     for (int k = 0; k < 2; ++k)
       nodes_[ends[k]].reach += integrals_[o].length_ratio.value * integrals_[o].value(kSupportOutput + k);
   }
   facing_.resize(nodes_.size());
+  const auto nearest = nearest_places(surfaces, pieces_, overlaps_);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto& [overlap, away, eta, bound] = nearest[i];
     if (overlap == kNone) continue;
-    const Index own = hats.strips[overlaps_[overlap].strip].face, partner = overlaps_[overlap].partner;
-    facing_[i] = facing(surfaces, partner,
-                        bound.by_partner ? Moved{bound.place} : place_opposite(surfaces, at, own, partner, eta));
-    facing_[i].overlap = overlap;
+    const auto& [strip, partner, first, last] = overlaps_[overlap];
+    facing_[i] = borne_at(
+        surfaces, overlap,
+        bound.by_partner ? Moved{bound.place} : place_opposite(surfaces, at, hats.strips[strip].face, partner, eta));
   }
 }
 
-Facing Multipliers::facing(const Surfaces& surfaces, Index partner, const Moved& place) const {
+Facing Multipliers::borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const {
   const auto& hats = surfaces.hats;
-  const auto& face = surfaces.faces[partner];
-  Facing out;
-  out.place = place;
-  out.strip = hats.strip_at(partner, place.value);
-  out.second = hats.second_hat(face, hats.strips[out.strip], place.value);
-  const auto ends = hats.ends(out.strip);
-  const NodeState &a = nodes_[ends[0]], &b = nodes_[ends[1]];
-  const Vec2 first(a.normal, -a.tangential), second(b.normal, -b.tangential);
-  out.traction = (1.0 - out.second) * first + out.second * second;
-  const double rate =
-      hats.second_hat(face, hats.strips[out.strip], 1.0) - hats.second_hat(face, hats.strips[out.strip], 0.0);
-  out.slope = rate * (second - first);
-  return out;
+  const Index partner = overlaps_[overlap].partner;
+  const Index strip = hats.strip_at(partner, place.value);
+  const auto hat = [&](double at) { return hats.second_hat(surfaces.faces[partner], hats.strips[strip], at); };
+  const auto opposite = [&](Index node) { return Vec2(nodes_[node].normal, -nodes_[node].tangential); };
+  const auto ends = hats.ends(strip);
+  const Vec2 first = opposite(ends[0]), second = opposite(ends[1]);
+  const double share = hat(place.value);
+  return {overlap, strip, share, (1.0 - share) * first + share * second, (hat(1.0) - hat(0.0)) * (second - first),
+          place};
 }
 
 void Multipliers::find_reached(const Surfaces& surfaces) {

@@ -81,11 +81,11 @@ struct Faces {
 };
 
 // A point with its partner.
-struct Opposite {
+struct PointPair {
   Moved eta, xi, gap;
   Eigen::Vector4d shape;
 
-  Opposite(const Faces& faces, const Moved& place) : eta(place), xi(faces.opposite(place)) {
+  PointPair(const Faces& faces, const Moved& place) : eta(place), xi(faces.opposite(place)) {
     shape = Faces::shape(eta.value, xi.value);
     gap.value = faces.gap(eta.value, xi.value).dot(faces.n);
     gap.by = along(shape, faces.n);
@@ -111,7 +111,8 @@ class Integral {
     const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
     const double length = length_at_rest(face);
     half_ = 0.5 * factor * length;
-    if (hats.on(partner)) out_.length_ratio = faces_.length_ratio(length, length_at_rest(surfaces.faces[partner]));
+    out_.length_ratio =
+        hats.on(partner) ? faces_.length_ratio(length, length_at_rest(surfaces.faces[partner])) : Moved{1.0};
     out_.value.setZero();
     out_.force_by.setZero();
     out_.node_by.setZero();
@@ -144,7 +145,7 @@ class Integral {
   }
 
  private:
-  void add_point(const Opposite& at, const Moved& weight, const Trail* trail, SlipByAnchor& by_anchor) {
+  void add_point(const PointPair& at, const Moved& weight, const Trail* trail, SlipByAnchor& by_anchor) {
     const double second = hat_.at(at.eta.value), w = weight.value;
     const std::array<double, 2> hat{1.0 - second, second};
     add_forces(at, weight, hat);
@@ -168,7 +169,7 @@ class Integral {
     out_.node_by.row(k - kGapOutput) += share.value * of.by + of.value * share.by;
   }
 
-  void add_forces(const Opposite& at, const Moved& weight, const std::array<double, 2>& hat) {
+  void add_forces(const PointPair& at, const Moved& weight, const std::array<double, 2>& hat) {
     const Vec2 &t = faces_.t, &n = faces_.n;
     const Vec2 traction = hat[0] * multipliers_[0] + hat[1] * multipliers_[1];
     const double w = weight.value, tn = traction.x(), tt = traction.y();
@@ -201,7 +202,7 @@ class Integral {
   }
 
   // Its derivative is that with the anchor's face at rest.
-  Moved slip_of(const Opposite& at, const Trail& trail) const {
+  Moved slip_of(const PointPair& at, const Trail& trail) const {
     const double place = anchor_place(at.eta.value, trail);
     if (!faces_.deformed)
       return {faces_.gap(at.eta.value, at.eta.value).dot(faces_.t) + faces_.length * (place - at.eta.value),

@@ -57,21 +57,25 @@ Checkpoint read_checkpoint(const Scene& scene, const std::string& path) {
 }
 
 // Removes what an earlier run left in the folder and this one might not replace: exactly the files that its checkpoint
-// lists. Whatever else lies there is not ours.
-void remove_results(const std::string& directory) {
+// lists. Whatever else lies there is not ours. Returns what there is to tell of it, if anything.
+std::string remove_results(const std::string& directory) {
   const std::string checkpoint = directory + "/checkpoint";
-  if (!std::filesystem::exists(checkpoint)) return;
+  const std::string others = std::filesystem::is_empty(directory) ? "" : directory + ": other files lie there and stay";
+  if (!std::filesystem::exists(checkpoint)) return others;
   Checkpoint earlier;
   try {
     earlier = checkpoint_from(read_bytes(checkpoint), checkpoint);
   } catch (const std::runtime_error&) {
-    return;  // not a checkpoint of ours: nothing is known of the files beside it
+    return others;  // not a checkpoint of ours: nothing is known of the files beside it
   }
   const auto remove = [&](const std::string& name) { std::filesystem::remove(directory + "/" + name); };
   for (const auto& [name, bytes] : earlier.log_bytes) remove(name);
   for (const auto& output : earlier.outputs) remove(output.file);
   remove("run.json");
   remove("checkpoint");
+  return directory + ": replaces the results of an earlier run" +
+         (std::filesystem::exists(directory + "/report") ? "; its report stays until `cleft report` draws the new one"
+                                                         : "");
 }
 
 struct Seconds {
@@ -184,11 +188,13 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   if (options.resume && !std::filesystem::exists(checkpoint_path))
     (void)read_bytes(checkpoint_path);  // makes no folder
   const RunFolder folder(options.directory);
+  std::string of_folder;
   if (options.resume)
     kept = read_checkpoint(scene, checkpoint_path);
   else
-    remove_results(options.directory);
+    of_folder = remove_results(options.directory);
   seconds.before = kept.seconds;
+  if (options.remark && !of_folder.empty()) options.remark(of_folder);
   if (options.remark)
     for (const auto& note : remarks(scene, model)) options.remark(note);
   growth::Evolution evolution = make_evolution(scene, std::move(model));

@@ -29,8 +29,12 @@ std::array<double, 2> interval(const Section& s, std::string_view key) {
 
 std::string default_name(const Quantity& q) {
   if (q.kind == Quantity::Kind::Error) return q.column + " error";
-  const std::string what = q.kind == Quantity::Kind::Profile ? q.crack + "." + q.column : q.column;
-  return fmt::format("{} at {}", what, q.load);
+  if (q.kind == Quantity::Kind::History) return fmt::format("{} at {}", q.column, q.load);
+  std::string out = fmt::format("{}.{} at {}", q.crack, q.column, q.load);
+  if (!q.side.empty()) out += ", " + q.side;
+  if (q.along != "s") out += " along " + q.along;
+  if (q.range) out += fmt::format(" in [{}, {}]", (*q.range)[0], (*q.range)[1]);
+  return q.largest ? out + ", largest" : out;
 }
 
 Quantity read_quantity(const Section& s, const std::string& file) {
@@ -42,7 +46,7 @@ Quantity read_quantity(const Section& s, const std::string& file) {
     for (const char* key : keys)
       if (s.has(key) && !s.has(owner)) s.fail(key, fmt::format("allowed together with {} only", owner));
   };
-  only_with("crack", {"along", "norm", "reference", "range"});
+  only_with("crack", {"along", "norm", "reference", "range", "side"});
   only_with("column", {"load", "crack", "exact"});
   if (s.has("error")) {
     q.kind = Quantity::Kind::Error;
@@ -56,6 +60,7 @@ Quantity read_quantity(const Section& s, const std::string& file) {
     q.kind = Quantity::Kind::Profile;
     q.crack = s.text("crack");
     if (s.has("along")) q.along = s.choice("along", {"s", "X", "Y", "x", "y"});
+    if (s.has("side")) q.side = s.choice("side", {"left", "right"});
     if (s.has("norm")) q.largest = s.choice("norm", {"l2", "max"}) == "max";
     if (s.has("reference")) q.reference = beside(file, s.text("reference"));
     if (s.has("range")) q.range = interval(s, "range");

@@ -39,7 +39,7 @@ TEST(ReadStudy, TakesEverything) {
       read("title = \"all\"\nset = [\"material.poisson=0.3\"]\n" + kHead +
            "sweep = { key = \"crack.main.negative_side\", values = [\"left\", \"right\"] }\n"
            "[[quantity]]\nname = \"p\"\ncrack = \"main\"\ncolumn = \"pressure\"\nload = 0.5\nalong = \"x\"\n"
-           "norm = \"max\"\nreference = \"p.csv\"\nrange = [0.0, 0.02]\norder_within = [0.5, 1.5]\n"
+           "side = \"right\"\nnorm = \"max\"\nreference = \"p.csv\"\nrange = [0.0, 0.02]\norder_within = [0.5, 1.5]\n"
            "[[quantity]]\nerror = \"energy\"\n"
            "[[quantity]]\ncolumn = \"fx_top\"\nlimit_within = [-2, -1]\n");
   EXPECT_EQ(s.title, "all");
@@ -49,12 +49,23 @@ TEST(ReadStudy, TakesEverything) {
   const auto& q = s.quantities[0];
   EXPECT_EQ(q.kind, Quantity::Kind::Profile);
   EXPECT_EQ(q.along, "x");
+  EXPECT_EQ(q.side, "right");
   EXPECT_TRUE(q.largest);
   EXPECT_EQ(q.reference, (std::filesystem::path(testing::TempDir()) / "p.csv").lexically_normal());
   EXPECT_EQ((*q.range)[1], 0.02);
   EXPECT_EQ((*q.order_within)[0], 0.5);
   EXPECT_EQ(s.quantities[1].kind, Quantity::Kind::Error);
   EXPECT_EQ((*s.quantities[2].limit_within)[1], -1.0);
+}
+
+TEST(ReadStudy, NamesProfilesByAllThatTellsThemApart) {
+  const std::string profile = "[[quantity]]\ncrack = \"main\"\ncolumn = \"pressure\"\n";
+  const Study s = read(kHead + profile + profile + "along = \"x\"\nload = 0.5\n" + profile +
+                       "range = [0.0, 0.02]\nside = \"left\"\n" + profile + "norm = \"max\"\n");
+  EXPECT_EQ(s.quantities[0].name, "main.pressure at 1");
+  EXPECT_EQ(s.quantities[1].name, "main.pressure at 0.5 along x");
+  EXPECT_EQ(s.quantities[2].name, "main.pressure at 1, left in [0, 0.02]");
+  EXPECT_EQ(s.quantities[3].name, "main.pressure at 1, largest");
 }
 
 struct Fault {

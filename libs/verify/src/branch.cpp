@@ -34,6 +34,20 @@ const char* block_of(const contact::NodeState& node) {
   return node.status == Status::Stick ? "contact hat stick" : "contact hat slip";
 }
 
+namespace {
+
+// Whether what the other face bears opposite a node depends on something else: on other nodes or ends of faces, or on
+// none where the other face ends before it.
+bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
+  const auto &f = a.facing()[node], &g = b.facing()[node];
+  if (f.overlap == kNone || g.overlap == kNone) return f.overlap != g.overlap;
+  const auto &o = a.overlaps()[f.overlap], &p = b.overlaps()[g.overlap];
+  return f.strip != g.strip || o.strip != p.strip || o.partner != p.partner ||
+         f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
+}
+
+}  // namespace
+
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out) {
   const auto& surfaces = model.surfaces;
@@ -44,9 +58,8 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   };
   for (std::size_t i = 0; i < a.nodes().size(); ++i) {
     const auto &s = a.nodes()[i], &t = b.nodes()[i];
-    const bool faces_another = !a.facing().empty() && (a.facing()[i].strip != b.facing()[i].strip);
     if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans ||
-        faces_another)
+        (!a.facing().empty() && faces_another_place(a, b, i)))
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
   const auto add_piece = [&](const contact::Piece& piece) {
@@ -58,17 +71,21 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
   // end of a trail the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths jumps
   // that compares the tractions of two faces with hats.
-  const auto stands_out = [&](const contact::Piece& piece) {
+  const auto at_end = [&](const contact::Piece& piece) {
     const auto& face = surfaces.faces[hats.strips[piece.strip].face];
-    return piece.trail == kNone || hats.on(piece.partner) || (face.previous == kNone && piece.begin == 0.0) ||
-           (face.next == kNone && piece.end == 1.0);
+    return std::array{face.previous == kNone && piece.begin == 0.0, face.next == kNone && piece.end == 1.0};
+  };
+  const auto stands_out = [&](const contact::Piece& piece) {
+    const auto [first, last] = at_end(piece);
+    return piece.trail == kNone || hats.on(piece.partner) || first || last;
+  };
+  const auto alike = [&](const contact::Piece& p, const contact::Piece& q) {
+    return p.strip == q.strip && (p.trail == kNone) == (q.trail == kNone) && at_end(p) == at_end(q) &&
+           (!hats.on(p.partner) || p.partner == q.partner);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
     for (const auto& piece : of.pieces())
-      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& other) {
-            return other.strip == piece.strip && (other.trail == kNone) == (piece.trail == kNone) &&
-                   (hats.on(piece.partner) ? other.partner == piece.partner : stands_out(other));
-          }))
+      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& q) { return alike(piece, q); }))
         add_piece(piece);
   };
   add_missing(a, b);

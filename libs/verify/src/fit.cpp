@@ -37,12 +37,17 @@ struct WithLimit {
   }
 };
 
-// log |y| = log C + p log x, for a limit that is known
+// log |y| = log C + p log x, for a limit that is known, or log C + log (x^p - finest^p)
 struct Straight {
-  double x, y;
+  double x, y, finest;
+  template <class T>
+  T power(const T& order) const {
+    using std::log, std::pow;
+    return finest > 0.0 ? T(log(pow(T(x), order) - pow(T(finest), order))) : T(order * log(x));
+  }
   template <class T>
   bool operator()(const T* factor, const T* order, T* residual) const {
-    residual[0] = factor[0] + order[0] * std::log(x) - y;
+    residual[0] = factor[0] + power(order[0]) - y;
     return true;
   }
 };
@@ -67,6 +72,7 @@ double scatter_of(const std::vector<double>& residual, std::size_t parameters) {
 struct Fit {
   std::vector<double> x, y;
   bool free_limit = true;
+  double finest = 0.0;  // reference_h / h_max
   FitOptions options;
 
   std::size_t parameters() const { return free_limit ? 3 : 2; }
@@ -82,8 +88,8 @@ struct Fit {
         problem.AddResidualBlock(new ceres::AutoDiffCostFunction<WithLimit, 1, 1, 1, 1>(new WithLimit{x[k], y[k]}),
                                  loss, &p[0], &p[1], &p[2]);
       else
-        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Straight, 1, 1, 1>(new Straight{x[k], y[k]}), loss,
-                                 &p[0], &p[1]);
+        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Straight, 1, 1, 1>(new Straight{x[k], y[k], finest}),
+                                 loss, &p[0], &p[1]);
     }
     problem.SetParameterLowerBound(&p[order_at()], 0, options.least_order);
     problem.SetParameterUpperBound(&p[order_at()], 0, options.most_order);
@@ -120,7 +126,7 @@ struct Fit {
     double sum_g = 0, sum_y = 0, sum_gg = 0, sum_gy = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
       const double g = free_limit ? std::pow(x[k], order) : 0.0;
-      const double target = free_limit ? y[k] : y[k] - order * std::log(x[k]);
+      const double target = free_limit ? y[k] : y[k] - Straight{x[k], y[k], finest}.power(order);
       sum_g += g, sum_y += target, sum_gg += g * g, sum_gy += g * target;
     }
     if (!free_limit) {
@@ -150,11 +156,12 @@ struct Fit {
   }
 };
 
-void check(std::span<const double> h, std::span<const double> value) {
+void check(std::span<const double> h, std::span<const double> value, double reference_h) {
   if (h.size() != value.size() || h.size() < 2) throw std::invalid_argument("a fit needs at least two results");
   for (std::size_t k = 0; k < h.size(); ++k) {
     if (!(h[k] > 0.0) || !std::isfinite(h[k])) throw std::invalid_argument("element sizes must be positive");
     if (!std::isfinite(value[k])) throw std::invalid_argument("results must be finite");
+    if (h[k] <= reference_h) throw std::invalid_argument("the reference must be finer");
     for (std::size_t l = 0; l < k; ++l)
       if (h[k] == h[l]) throw std::invalid_argument("element sizes must be distinct");
   }
@@ -189,7 +196,7 @@ void judge(const Fit& fit, const Solution& s, double limit_unit, LimitFit& out) 
 }  // namespace
 
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options) {
-  check(h, value);
+  check(h, value, options.reference_h);
   LimitFit out;
   out.limit_pm = out.order_pm = kNaN;
   const double h_max = *std::max_element(h.begin(), h.end());
@@ -202,11 +209,15 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
     origin = value[static_cast<std::size_t>(std::min_element(h.begin(), h.end()) - h.begin())];
     unit = *high - *low;
     out.limit = origin;
-    if (h.size() < 3) out.remark = "a limit and an order need three meshes";
     if (unit == 0.0) out.remark = "all results are equal";
-    if (!out.remark.empty()) return out;
+    if (h.size() < 3) out.remark = "a limit and an order need three meshes", out.limit = kNaN;
+    if (!out.remark.empty()) {
+      out.order = kNaN;
+      return out;
+    }
   } else {
     out.limit = *options.limit;
+    fit.finest = options.reference_h / h_max;
   }
   bool above = false, below = false;
   for (std::size_t k = 0; k < h.size(); ++k) {
@@ -217,6 +228,7 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
     fit.y.push_back(fit.free_limit ? (value[k] - origin) / unit : std::log(std::fabs(distance)));
   }
   if (fit.x.size() < 2) {
+    out.order = kNaN;
     out.remark = "the results are exact";
     return out;
   }
@@ -236,7 +248,8 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
   }
   double squares = 0.0;
   for (std::size_t k = 0; k < h.size(); ++k) {
-    const double left = value[k] - out.limit - out.factor * std::pow(h[k], out.order);
+    const double power_of_finest = fit.finest > 0.0 ? std::pow(options.reference_h, out.order) : 0.0;
+    const double left = value[k] - out.limit - out.factor * (std::pow(h[k], out.order) - power_of_finest);
     squares += left * left;
   }
   out.scatter = std::sqrt(squares / static_cast<double>(h.size()));

@@ -109,6 +109,12 @@ std::vector<std::string> run_all(const scene::Study& study, const StudyOptions& 
   return failed;
 }
 
+// Whether a run is the one that the profiles of the others are compared with: the finest of its variant.
+bool is_reference(const Quantity& q, const std::vector<StudyRun>& runs, std::size_t i) {
+  const bool last = i + 1 == runs.size() || runs[i + 1].variant != runs[i].variant;
+  return last && q.kind == Quantity::Kind::Profile && q.reference.empty();
+}
+
 Series series_of(const scene::Study& study, std::size_t quantity, const std::vector<StudyRun>& runs,
                  const std::string& variant) {
   const Quantity& q = study.quantities[quantity];
@@ -116,23 +122,26 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   out.quantity = quantity;
   out.variant = variant;
   std::vector<double> h, value;
+  FitOptions options;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i].variant != variant || !std::isfinite(runs[i].value[quantity])) continue;
+    if (runs[i].variant != variant) continue;
+    if (is_reference(q, runs, i)) options.reference_h = runs[i].h;
+    if (!std::isfinite(runs[i].value[quantity])) continue;
     out.runs.push_back(i);
     h.push_back(runs[i].h);
     value.push_back(runs[i].value[quantity]);
   }
   const bool has_limit = q.kind == Quantity::Kind::History;
-  FitOptions options;
   options.limit = has_limit ? q.exact : std::optional(0.0);
   if (h.size() < 2) {
     out.fit.remark = "too few meshes";
+    out.fit.limit = out.fit.order = std::numeric_limits<double>::quiet_NaN();
     out.error.assign(h.size(), std::numeric_limits<double>::quiet_NaN());
     return out;
   }
   out.fit = fit_limit(h, value, options);
   for (const double v : value) out.error.push_back(std::fabs(v - out.fit.limit));
-  if (has_limit && out.fit.limit != 0.0) out.scale = std::fabs(out.fit.limit);
+  if (has_limit && std::isfinite(out.fit.limit) && out.fit.limit != 0.0) out.scale = std::fabs(out.fit.limit);
   return out;
 }
 

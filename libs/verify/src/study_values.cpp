@@ -39,6 +39,16 @@ void keep_last_step(scene::CsvTable& table) {
   std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != last; });
 }
 
+// Of a crack whose faces both have points, one face: their tractions are opposite and their places have moved apart.
+void keep_side(scene::CsvTable& table, const std::string& wanted) {
+  const auto at = std::find(table.header.begin(), table.header.end(), "side");
+  if (at == table.header.end()) return;
+  const auto column = static_cast<std::size_t>(at - table.header.begin());
+  const auto on = [&](const char* side) { return [column, side](const auto& row) { return row.at(column) == side; }; };
+  const std::string side = !wanted.empty() ? wanted : std::ranges::any_of(table.rows, on("left")) ? "left" : "right";
+  std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != side; });
+}
+
 // The rows of a profile at the quantity's load; all rows of a table without loads.
 Profile profile_of(const std::string& path, const Quantity& q) {
   auto table = scene::read_csv(path);
@@ -50,6 +60,7 @@ Profile profile_of(const std::string& path, const Quantity& q) {
     table.rows.resize(kept);
     keep_last_step(table);
   }
+  keep_side(table, q.side);
   return {table.column(q.along), table.column(q.column)};
 }
 
@@ -89,6 +100,12 @@ void check_quantities(const scene::Study& study, const scene::Scene& s) {
     for (const auto& crack : s.cracks) cracks.push_back(crack.name);
     if (!holds(cracks, q.crack))
       refuse("crack", fmt::format("the scene has no crack '{}'; allowed: {}", q.crack, list(cracks)));
+    const auto& crack = *std::ranges::find(s.cracks, q.crack, &scene::CrackSpec::name);
+    const auto other = q.side == "left" ? contact::NegativeSide::Right : contact::NegativeSide::Left;
+    if (!q.side.empty() && crack.negative_side == other)
+      refuse("side", fmt::format("the {} face of crack '{}' has no points; allowed: the face of its negative_side, or "
+                                 "negative_side = \"both\"",
+                                 q.side, q.crack));
     if (q.reference.empty()) continue;
     try {
       profile_of(q.reference, q);

@@ -55,6 +55,22 @@ TEST(FitLimit, TakesAKnownLimit) {
   EXPECT_EQ(fit.limit_pm, 0.0);
 }
 
+// Distances from the finest solution vanish there and not at h = 0: a fit of C h^p finds too high an order.
+TEST(FitLimit, TakesDistancesFromAMeshOfTheSequence) {
+  for (const double order : {0.8, 1.5, 3.0}) {
+    const auto h = halvings(4);
+    std::vector<double> distance;
+    for (int k = 0; k < 3; ++k) distance.push_back(2.0 * (std::pow(h[k], order) - std::pow(h[3], order)));
+    const std::span<const double> coarser(h.data(), 3);
+    const auto fit = fit_limit(coarser, distance, {.limit = 0.0, .reference_h = h[3]});
+    EXPECT_NEAR(fit.order, order, 1e-6);
+    EXPECT_NEAR(fit.factor, 2.0, 1e-5);
+    EXPECT_LT(fit.scatter, 1e-8);
+    EXPECT_GT(fit_limit(coarser, distance, {.limit = 0.0}).order, order + 0.05);
+    EXPECT_THROW(fit_limit(h, h, {.limit = 0.0, .reference_h = h[3]}), std::invalid_argument);
+  }
+}
+
 // 95 % intervals hold the truth in about 95 of 100 draws; a fair program gets fewer than 90 once in a hundred tries.
 class Coverage : public testing::TestWithParam<std::tuple<double, int, double>> {};
 
@@ -118,6 +134,7 @@ TEST_P(Undetermined, IsSaidWithTheReason) {
   const auto fit = fit_limit(halvings(static_cast<int>(value.size())), value, options);
   EXPECT_FALSE(fit.determined);
   EXPECT_NE(fit.remark.find(remark), std::string::npos) << fit.remark;
+  EXPECT_EQ(std::isnan(fit.order), value.size() < 3 || value.front() == value.back());
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -60,6 +60,7 @@ class Assembler {
     std::array<Index, unknowns> stride;                       // of column
   };
 
+  // A face that was opposite a strip of hats, and where in the matrix their unknowns depend on each other: row by row.
   struct Opposite {
     Index face;
     std::vector<BlockMatrix::Place> places;

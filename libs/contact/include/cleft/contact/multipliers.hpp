@@ -29,11 +29,11 @@
 ///
 /// Where both faces carry hats, each with half of the weight, Z has the further part
 ///
-///     h / (2 mu) (l_i int phi_i ds - l' int phi_i j ds),     j = ds'/ds
+///     h / (2 mu) (l_i int phi_i ds -+ l' int phi_i j ds),     j = ds'/ds
 ///
-/// with l' what the other face bears opposite the node, or, if nothing lies there, opposite the place next to it, and
-/// the integrals over what lies opposite: the faces' tractions are two unknowns for one, and where they are the same
-/// each face's mean gap vanishes.
+/// (- for the normal, + for the tangential component) with l' what the other face bears opposite the node, or, if
+/// nothing lies there, opposite the place next to it, and the integrals over what lies opposite: the faces' tractions
+/// are two unknowns for one, and where they are the same each face's mean gap vanishes.
 ///
 /// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
@@ -99,7 +99,8 @@ class Multipliers {
   const std::vector<Overlap>& overlaps() const { return overlaps_; }
   const std::vector<OverlapIntegrals>& integrals() const { return integrals_; }  ///< per overlap
   const std::vector<SlipByAnchor>& by_anchor() const { return by_anchor_; }      ///< per piece
-  const std::vector<Facing>& facing() const { return facing_; }  ///< per node; empty if one face only carries hats
+  /// Per node, without an overlap where the other face has no hats; empty if no crack has hats on both faces.
+  const std::vector<Facing>& facing() const { return facing_; }
   const std::vector<NodeState>& nodes() const { return nodes_; }
   const std::vector<NodeCondition>& conditions() const { return conditions_; }
 
@@ -113,7 +114,7 @@ class Multipliers {
   void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
                      const HatMemory& memory);
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
-  Facing facing(const Surfaces& surfaces, Index partner, const Moved& place) const;
+  Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
   void find_reached(const Surfaces& surfaces);
   void judge(const Surfaces& surfaces, Index node, const HatMemory& memory);
 

@@ -25,7 +25,7 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
-/// A part of a strip that has one segment of the positive face opposite, and one trail, or none.
+/// A part of a strip that has one segment of the other face opposite, and one trail, or none.
 struct Piece {
   Index strip = kNone;
   Index partner = kNone;  ///< face
@@ -43,7 +43,7 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
 std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, const std::vector<Piece>& pieces);
 std::vector<Trail> trails_at_rest(const Surfaces& surfaces);
 
-/// All that a strip and a segment of the positive face have in common: consecutive pieces.
+/// All that a strip and a segment of the other face have in common: consecutive pieces.
 struct Overlap {
   Index strip = kNone, partner = kNone;
   Index first = 0, last = 0;  ///< its pieces: first, ..., last - 1
@@ -69,7 +69,7 @@ struct OverlapIntegrals {
   Eigen::Matrix<double, kOverlapOutputs, 1> value;
   Eigen::Matrix<double, kGapOutput, kOverlapInputs> force_by;                ///< derivatives of the forces
   Eigen::Matrix<double, kOverlapOutputs - kGapOutput, kNodeInputs> node_by;  ///< and of what follows them
-  Moved length_ratio;  ///< ds'/ds, the ratio of the reference lengths that lie opposite each other, if both have hats
+  Moved length_ratio;  ///< j = ds'/ds of reference lengths that lie opposite each other; 1 unless both faces have hats
 };
 /// Derivatives of a piece's slip, of the first and of the second node, with regard to the ends of its anchor's face.
 using SlipByAnchor = Eigen::Matrix<double, 2, 4>;
@@ -87,7 +87,8 @@ void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vec
                std::span<const Piece> pieces, const std::array<Vec2, 2>& multipliers, OverlapIntegrals& out,
                std::span<SlipByAnchor> by_anchor);
 
-/// The place on the segment `g` where the normal line of the place `eta` of the face `f` meets it.
+/// The place on the segment `g`, 0 at its start and 1 at its end, where the normal line of the place `eta` of the face
+/// `f` meets it; at small strain it is `eta` itself.
 Moved place_opposite(const Surfaces& surfaces, const FacePositions& at, Index f, Index g, double eta);
 
 }  // namespace cleft::contact

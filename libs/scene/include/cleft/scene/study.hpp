@@ -27,6 +27,7 @@ struct Quantity {
   std::optional<double> exact;  ///< known value of a history column
   std::string crack;            ///< profiles: name of the crack
   std::string along = "s";      ///< profiles: column that is the abscissa
+  std::string side;             ///< profiles: left or right face; empty: the one with the points, of both the left one
   bool largest = false;         ///< profiles: maximum norm instead of L2
   std::string reference;        ///< profiles: CSV file with the columns `along` and `column`; empty: finest mesh
   std::optional<std::array<double, 2>> range;  ///< profiles: part of the abscissa that counts
@@ -57,6 +58,7 @@ struct Study {
 ///
 ///     [[quantity]]
 ///     column = "fy_top"
+///     name = "load"                            # in tables and figures; default: of column, load and what follows
 ///     load = 0.5
 ///     exact = -1.2e7                           # optional
 ///     order_within = [0.5, 1.5]                # optional, as limit_within: then the study is a check
@@ -65,9 +67,10 @@ struct Study {
 ///     crack = "main"
 ///     column = "pressure"
 ///     along = "x"                              # default s
+///     side = "right"                           # default: the face that has points, the left one if both have
 ///     norm = "max"                             # default l2
 ///     load = 0.5
-///     reference = "profile.csv"                # default: the finest mesh
+///     reference = "profile.csv"                # default: the finest mesh; then C (h^p - h_finest^p) is fitted
 ///     range = [0.0, 0.02]                      # optional
 ///
 ///     [[quantity]]

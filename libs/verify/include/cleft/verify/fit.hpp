@@ -10,7 +10,10 @@ namespace cleft::verify {
 
 struct FitOptions {
   std::optional<double> limit;  ///< the exact value, if it is known: then only C and p are fitted
-  double least_order = 0.1;     ///< bounds on p
+  /// With a limit: the results are distances from the one at this element size, smaller than theirs, and not from what
+  /// the sequence tends to, so that C (h^p - reference_h^p) is fitted. Their errors are alike but for the factor.
+  double reference_h = 0.0;
+  double least_order = 0.1;  ///< bounds on p
   double most_order = 6.0;
 };
 
@@ -19,10 +22,10 @@ struct FitOptions {
 /// that few meshes give wide ones. They take what the model leaves for noise; NaN where there are as many parameters as
 /// results.
 struct LimitFit {
-  double limit = 0.0;  ///< Q0
+  double limit = 0.0;  ///< Q0; NaN where there are too few results
   double limit_pm = 0.0;
   double factor = 0.0;  ///< C
-  double order = 0.0;   ///< p
+  double order = 0.0;   ///< p; NaN where there are too few results or all are equal
   double order_pm = 0.0;
   double scatter = 0.0;     ///< root mean square of what the model leaves, in the unit of Q
   bool determined = false;  ///< whether the data determine p (and with it a limit that is not given)
