@@ -85,6 +85,23 @@ TEST(Swap, OfTheCracksDirectionChangesNothingWhereBothSidesAreIntegrated) {
   }
 }
 
+// A notch far thinner than the elements: both of its legs lie opposite the same parts of the other face.
+TEST(Swap, OfTheCracksDirectionChangesNothingAtASharpNotch) {
+  const auto solved = [](const char* points) {
+    return solve("block",
+                 {"mesh.box=[0,0,1,1]", "mesh.cells=[8,7]", "material.model=neo-hookean",
+                  std::string("crack.main.points=") + points, "crack.main.negative_side=both",
+                  "crack.main.friction=0.1", "crack.main.contact={method=\"mortar\",smoothing=0.5}",
+                  "boundary.top.ux=0.033", "boundary.top.uy=0.0003", "loading.steps=3", "loading.outputs=[1.0]"});
+  };
+  Case table("crack with a sharp notch, sheared, both sides integrated, mortar, reversed");
+  const Solved forth = solved("[[0,0.47546],[0.28856,0.54642],[0.49266,0.46353],[0.49582,0.54791],[1,0.45416]]"),
+               back = solved("[[1,0.45416],[0.49582,0.54791],[0.49266,0.46353],[0.28856,0.54642],[0,0.47546]]");
+  for (const char* quantity : kQuantities)
+    table.compare(quantity, back.at(quantity, 1.0), exact(forth.at(quantity, 1.0)),
+                  within_part(1e-9, "the same sums in another order, and what the iteration leaves"));
+}
+
 TEST(Swap, OfTheNegativeSideChangesLessByMortarContact) {
   for (const int across : {16, 32}) {
     Case table(fmt::format("block to half load, {} across, left against right, mortar", across));

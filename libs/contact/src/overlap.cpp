@@ -1,6 +1,8 @@
 #include "cleft/contact/overlap.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace cleft::contact {
 namespace {
@@ -70,15 +72,43 @@ void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Ind
   }
 }
 
-// Of tiles that lie one over the other the one that was found first keeps its place.
-void make_disjoint(std::vector<Tile>& tiles) {
-  std::ranges::stable_sort(tiles, {}, &Tile::begin);
-  double covered = 0.0;
-  for (auto& tile : tiles) {
-    if (tile.begin < covered - kCrumb) tile.begin = covered, tile.begin_at = {};
-    covered = std::max(covered, tile.end);
+// How far a segment is from the place on a face.
+double distance_to(const FacePositions& at, const Ray& ray, Index g, double place) {
+  const Vec2 y = ray.start + place * ray.length * ray.t, e = at.end[g] - at.start[g];
+  const double xi = (y - at.start[g]).dot(ray.t) / e.dot(ray.t);
+  return std::fabs((at.start[g] + xi * e - y).dot(ray.n));
+}
+
+// Where several segments lie opposite a part of the face, as beside a sharp bend, the one that is nearest to its middle
+// counts: that does not depend on the order in which they were found, nor on that of the crack's points.
+std::vector<Tile> nearest_of(const FacePositions& at, const Ray& ray, const std::vector<Tile>& tiles) {
+  std::vector<double> cuts;
+  for (const Tile& tile : tiles) cuts.insert(cuts.end(), {tile.begin, tile.end});
+  std::ranges::sort(cuts);
+  std::vector<Tile> out;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    const double begin = cuts[k], end = cuts[k + 1];
+    if (end <= begin + kCrumb) continue;
+    const Tile* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Tile& tile : tiles) {
+      if (tile.begin > begin || tile.end < end) continue;
+      const double distance = distance_to(at, ray, tile.partner, 0.5 * (begin + end));
+      if (distance < least) least = distance, best = &tile;
+    }
+    if (best == nullptr) continue;
+    if (out.empty() || out.back().partner != best->partner || out.back().end != begin)
+      out.push_back({best->partner, begin, end, begin == best->begin ? best->begin_at : Bound{}, {}});
+    out.back().end = end;
+    out.back().end_at = end == best->end ? best->end_at : Bound{};
   }
-  std::erase_if(tiles, [](const Tile& tile) { return !(tile.end > tile.begin + kCrumb); });
+  return out;
+}
+
+void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& tiles) {
+  std::ranges::sort(tiles, {}, &Tile::begin);
+  const auto runs_over = [](const Tile& a, const Tile& b) { return a.end > b.begin + kCrumb; };
+  if (std::ranges::adjacent_find(tiles, runs_over) != tiles.end()) tiles = nearest_of(at, ray, tiles);
 }
 
 // Adds the parts of a tile that lie in a strip, by trail; `first` and `last` bound the face's trails.
@@ -130,7 +160,7 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
       for (; point < points && surfaces.points[point].face == f; ++point)
         if (const Index seed = pairs[point].partner_face; seed != kNone && !covers(tiles, seed))
           walk(surfaces, at, ray, seed, tiles);
-      make_disjoint(tiles);
+      make_disjoint(at, ray, tiles);
     }
     while (trail < all_trails && trails[trail].face < f) ++trail;
     Index end = trail;
