@@ -164,7 +164,7 @@ void add_check(CLI::App& app, int& result) {
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand("check", "read and validate a scene and say what would be solved");
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+  verb->add_option("--set", options->overrides, "overrides a key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->callback([options, &result] { result = check(*options); });

@@ -94,7 +94,10 @@ int newton(const Options& options) {
   print(verdict, options);
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",
-             !verdict.enough ? "fewer than half of the increments can be judged; longer ones show more (loading.steps)"
+             verdict.judged == 0
+                 ? "no increment shows an order: all are over too soon; longer ones show it (fewer loading.steps)"
+             : !verdict.enough
+                 ? "fewer than half of the increments can be judged; longer ones show more (fewer loading.steps)"
              : verdict.lowest() < options.required.least
                  ? fmt::format("an order below {:.4g}", options.required.least)
                  : fmt::format("fewer than {:.0f} % reach the order", 100 * options.required.share));
@@ -109,7 +112,7 @@ void add_newton(CLI::App& app, int& result) {
   verb->add_option("subject", options->subject, "folder of a run, or a scene, which is then solved until rounding")
       ->required();
   verb->add_option("-o,--output", options->directory, "folder for the run of a scene; default: a temporary one");
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+  verb->add_option("--set", options->overrides, "overrides a key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->add_option("--order", options->required.order, "order that increments must show")

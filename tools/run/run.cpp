@@ -103,7 +103,7 @@ void add_run(CLI::App& app, int& result) {
   auto* verb = app.add_subcommand("run", "solve a scene");
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
   verb->add_option("-o,--output", options->run.directory, "folder for the results")->required();
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+  verb->add_option("--set", options->overrides, "overrides a key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->add_flag("--resume", options->run.resume, "go on from the last converged increment in the folder");

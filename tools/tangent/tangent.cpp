@@ -109,7 +109,7 @@ void add_tangent(CLI::App& app, int& result) {
   auto options = std::make_shared<Options>();
   auto* verb = app.add_subcommand("tangent", "compare the tangent with differences of the forces along a run");
   verb->add_option("scene", options->scene, "scene file (TOML)")->required();
-  verb->add_option("--set", options->overrides, "KEY=VALUE overrides a key of the scene; may be repeated")
+  verb->add_option("--set", options->overrides, "overrides a key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->add_option("--states", options->states, "how many states, evenly over the load, at most one an increment")

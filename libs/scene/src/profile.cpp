@@ -39,7 +39,7 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
       q.normal = s.ramp * s.traction.normal;
       q.tangential = s.ramp * s.traction.tangential;
       const double stretch = s.stretch_length / (face.reference_end - face.reference_start).norm();
-      q.pressure = -q.normal / stretch;
+      q.pressure = 0.0 - q.normal / stretch;  // of no traction 0, not -0
       const Vec2 t = (at.end[point.face] - at.start[point.face]).normalized(), n = face.normal_sign() * turn_left(t);
       const Vec2 t_other = (at.end[pair.partner_face] - at.start[pair.partner_face]).normalized();
       const Vec2 n_other = other.normal_sign() * turn_left(t_other);

@@ -23,8 +23,10 @@ constexpr double kFew = 8.0;           // elements along a crack
 constexpr double kSmallBall = 2.0;     // elements; at 3 intensities are within 0.8 %
 constexpr double kStiff = 10.0;  // times E/h: on the block the pressure's variation is then four times that of E/h
 constexpr double kSoft = 0.1;    // times E/h: on the block faces overlap by 0.015 elements with E/h
-constexpr double kIncompressible = 0.49;  // Poisson's ratio
-constexpr double kRough = 2.0;            // coefficient of friction
+constexpr double kIncompressible = 0.49;            // Poisson's ratio
+constexpr double kRough = 2.0;                      // coefficient of friction
+constexpr double kSoftest = 1e3, kStiffest = 1e13;  // Young's modulus, Pa: from gels to diamond
+constexpr double kHeavy = 0.1;                      // traction over Young's modulus
 
 std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
@@ -150,6 +152,9 @@ void about_crack(const Scene& scene, const assembly::Model& model, const Outline
 
 void about_material(const Scene& scene, const MaterialSpec& m, Lines& out) {
   const std::string material = "material '" + m.model + "'";
+  if (m.young < kSoftest || m.young > kStiffest)
+    out.push_back(
+        fmt::format("{}: Young's modulus is {:.4g} Pa; soft rubber has 1e6, rock 1e10, steel 2e11", material, m.young));
   if (m.poisson < 0.0)
     out.push_back(
         fmt::format("{}: Poisson's ratio {:.4g} is negative: a body that is pulled grows wider", material, m.poisson));
@@ -160,15 +165,19 @@ void about_material(const Scene& scene, const MaterialSpec& m, Lines& out) {
                     material, m.poisson, 2.0 / 3.0 * (1.0 + m.poisson) / (1.0 - 2.0 * m.poisson)));
 }
 
+double largest(const Amplitude& amplitude) {
+  double out = 0.0;
+  for (const auto& [load, factor] : amplitude.points) out = std::max(out, std::fabs(factor));
+  return out;
+}
+
 void about_boundary(const BoundarySpec& b, double extent, Lines& out) {
   const double first = b.amplitude(0.0);
   const bool moves = b.affine || b.field || b.ux.value_or(0.0) != 0.0 || b.uy.value_or(0.0) != 0.0;
   if (first != 0.0 && moves)
     out.push_back(fmt::format("boundary '{}': its factor is {} already at load 0; the first increment takes it whole",
                               b.name, first));
-  double most = std::fabs(b.amplitude(1.0));
-  for (const auto& [load, factor] : b.amplitude.points) most = std::max(most, std::fabs(factor));
-  const double far = most * Vec2(b.ux.value_or(0.0), b.uy.value_or(0.0)).norm();
+  const double far = largest(b.amplitude) * Vec2(b.ux.value_or(0.0), b.uy.value_or(0.0)).norm();
   if (far > extent)
     out.push_back(
         fmt::format("boundary '{}': moves by {:.3g} m, more than the body measures from corner to corner ({:.3g} m)",
@@ -194,13 +203,20 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
   for (const auto& material : scene.materials) about_material(scene, material, out);
   const double extent = extent_of(model.mesh);
   for (const auto& b : scene.boundaries) about_boundary(b, extent, out);
-  for (const auto& t : scene.tractions)
+  double softest = std::numeric_limits<double>::infinity();
+  for (const auto& material : scene.materials) softest = std::min(softest, material.young);
+  for (const auto& t : scene.tractions) {
+    const double traction = largest(t.amplitude) * t.value.norm();
+    if (traction > kHeavy * softest)
+      out.push_back(fmt::format("traction on '{}': {:.3g} Pa is {:.3g} times Young's modulus", t.on, traction,
+                                traction / softest));
     for (const auto& b : scene.boundaries)
       if (b.on == t.on && b.components()[0] && b.components()[1])
         out.push_back(
             fmt::format("traction on '{}': boundary '{}' prescribes all displacements there, so it only adds to "
                         "the reaction",
                         t.on, b.name));
+  }
   return out;
 }
 

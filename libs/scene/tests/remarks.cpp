@@ -62,6 +62,16 @@ TEST(Remarks, FiguresOfAnotherUnitAreToldAsSuch) {
   EXPECT_EQ(before({"boundary.top.uy=-1"}), "");
   EXPECT_EQ(before({"boundary.top.uy=-1", "boundary.top.amplitude=[[0,0],[0.5,-2],[1,0]]"}),
             "boundary 'top': moves by 2 m, more than the body measures from corner to corner (1.41 m)\n");
+  EXPECT_EQ(before({"material.young=1e3"}), "");
+  EXPECT_EQ(before({"material.young=20"}),
+            "material 'hencky': Young's modulus is 20 Pa; soft rubber has 1e6, rock 1e10, steel 2e11\n");
+  EXPECT_NE(before({"material.young=20e18"}).find("Young's modulus is 2e+19 Pa"), std::string::npos);
+  const auto pulled = [](const char* value) {
+    return before({},
+                  kSound + "[[traction]]\non = \"left\"\nvalue = [" + value + ", 0]\namplitude = [[0, 0], [1, -2]]\n");
+  };
+  EXPECT_EQ(pulled("0.4e8"), "");
+  EXPECT_EQ(pulled("1e8"), "traction on 'left': 2e+08 Pa is 0.2 times Young's modulus\n");
 }
 
 TEST(Remarks, ASoundSceneHasNone) {

@@ -298,5 +298,26 @@ TEST(Run, TellsItsRemarksBeforeTheFirstIncrement) {
   EXPECT_FALSE(heard.empty());
 }
 
+TEST(Run, TellsWhatItsFolderHolds) {
+  const Folder folder;
+  const std::string out = folder / "run";
+  const auto told = [&] {
+    std::vector<std::string> heard;
+    RunOptions options = into(out);
+    options.remark = [&](const std::string& text) { heard.push_back(text); };
+    (void)run(scene_of(kPlain), options);
+    return heard;
+  };
+  EXPECT_TRUE(told().empty());
+  EXPECT_EQ(told(), std::vector{out + ": replaces the results of an earlier run"});
+  std::filesystem::create_directory(out + "/report");
+  EXPECT_EQ(told(), std::vector{out + ": replaces the results of an earlier run; its report stays until `cleft report` "
+                                      "draws the new one"});
+  std::filesystem::remove_all(out);
+  std::filesystem::create_directory(out);
+  write_atomically(out + "/notes.txt", "mine");
+  EXPECT_EQ(told(), std::vector{out + ": other files lie there and stay"});
+}
+
 }  // namespace
 }  // namespace cleft::scene
