@@ -94,8 +94,8 @@ int newton(const Options& options) {
   print(verdict, options);
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",
-             verdict.judged == 0
-                 ? "no increment shows an order: all are over too soon; longer ones show it (fewer loading.steps)"
+             verdict.judged == 0 ? "no increment shows an order, all are over too soon; of a scene, which is solved "
+                                   "until rounding, longer increments show it (fewer loading.steps)"
              : !verdict.enough
                  ? "fewer than half of the increments can be judged; longer ones show more (fewer loading.steps)"
              : verdict.lowest() < options.required.least
