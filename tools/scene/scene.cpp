@@ -1,6 +1,7 @@
 // cleft scene: the keys of scene and study files, from the table that readers check names against.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ int print_keys(const Options& options) {
   const std::string where = without_indices(options.key);
   const auto keys = keys_at(where);
   if (keys.empty()) fail(where);
+  std::size_t longest = 0;
+  for (const auto& key : keys) longest = std::max(longest, dotted(key).size());
   if (options.markdown) fmt::print("| key | type | meaning |\n| --- | --- | --- |\n");
   for (const auto& key : keys) {
     if (options.markdown) {
@@ -62,7 +65,7 @@ int print_keys(const Options& options) {
       for (const char c : key.meaning) meaning += c == '|' ? std::string("\\|") : std::string(1, c);
       fmt::print("| `{}` | {} | {} |\n", dotted(key), key.type, meaning);
     } else {
-      fmt::print("{:<28} {:<18} {}\n", dotted(key), key.type, key.meaning);
+      fmt::print("{:<{}} {:<18} {}\n", dotted(key), longest, key.type, key.meaning);
     }
   }
   return kDone;

@@ -9,9 +9,9 @@
 namespace cleft::contact {
 namespace {
 
-constexpr int kAnchorInput = kOverlapInputs, kInputs = kOverlapInputs + 4;  // the ends of the anchor's face, too
-using Inputs = Eigen::Matrix<double, kInputs, 1>;
-using Outputs = Eigen::Matrix<double, kOverlapOutputs, 1>;
+constexpr int kAnchorInput = kOverlapInputs, kAllInputs = kOverlapInputs + 4;  // the ends of the anchor's face, too
+using OverlapInputs = Eigen::Matrix<double, kAllInputs, 1>;
+using OverlapOutputs = Eigen::Matrix<double, kOverlapOutputs, 1>;
 
 // Two blocks that have slid, turned and warped, on anchors left behind at a smaller slip.
 class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
@@ -41,9 +41,9 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
 
   Index face_of(const Piece& piece) const { return slider.surfaces.hats.strips[piece.strip].face; }
 
-  Inputs inputs(const Piece& piece) const {
+  OverlapInputs inputs(const Piece& piece) const {
     const auto& hats = slider.surfaces.hats;
-    Inputs x = Inputs::Zero();
+    OverlapInputs x = OverlapInputs::Zero();
     const auto add_face = [&](int k, Index f) { x.segment<4>(k) << at.start[f], at.end[f]; };
     const auto ends = hats.ends(piece.strip);
     add_face(0, face_of(piece));
@@ -59,7 +59,7 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
   };
 
   // Over a single piece.
-  Integrals integrals(const Piece& piece, const Inputs& x) const {
+  Integrals integrals(const Piece& piece, const OverlapInputs& x) const {
     FacePositions moved = at;
     std::vector<Trail> trail = trails;
     const auto put = [&](int k, Index f) { moved.start[f] = x.segment<2>(k), moved.end[f] = x.segment<2>(k + 2); };
@@ -78,7 +78,7 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
   }
 
   // By the definitions, at the middles of many parts.
-  Outputs summed(const Piece& piece, int parts) const {
+  OverlapOutputs summed(const Piece& piece, int parts) const {
     const auto& surfaces = slider.surfaces;
     const auto& hats = surfaces.hats;
     const auto& strip = hats.strips[piece.strip];
@@ -89,7 +89,7 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
     const Vec2 t = (surfaces.undeformed ? reference : Vec2(b - a)).normalized();
     const Vec2 n = face.normal_sign() * turn_left(t);
     const double both = std::get<0>(GetParam()) == NegativeSide::Both ? 0.5 : 1.0;
-    Outputs out = Outputs::Zero();
+    OverlapOutputs out = OverlapOutputs::Zero();
     for (int k = 0; k < parts; ++k) {
       const double eta = piece.begin + (k + 0.5) / parts * (piece.end - piece.begin);
       const double ds = both * reference.norm() * (piece.end - piece.begin) / parts;
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, OverlapIntegral,
 TEST_P(OverlapIntegral, IsTheSumOverManyPoints) {
   ASSERT_GT(pieces.size(), 40U);
   for (const Piece& piece : pieces) {
-    const Outputs exact = integrals(piece, inputs(piece)).sums.value;
+    const OverlapOutputs exact = integrals(piece, inputs(piece)).sums.value;
     const double far = (exact - summed(piece, 100)).cwiseAbs().maxCoeff(),
                  near = (exact - summed(piece, 200)).cwiseAbs().maxCoeff();
     EXPECT_LE(far, 1e-4 * exact.cwiseAbs().maxCoeff());
@@ -154,7 +154,7 @@ TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
     OverlapIntegrals whole;
     std::vector<SlipByAnchor> by_anchor(count);
     integrate(slider.surfaces, at, trails, own, {traction[ends[0]], traction[ends[1]]}, whole, by_anchor);
-    Outputs value = Outputs::Zero();
+    OverlapOutputs value = OverlapOutputs::Zero();
     auto force_by = (0.0 * whole.force_by).eval();
     auto node_by = (0.0 * whole.node_by).eval();
     for (std::size_t p = 0; p < count; ++p) {
@@ -183,20 +183,20 @@ TEST_P(OverlapIntegral, HasExactDerivatives) {
     anchored += piece.trail != kNone;
     const bool hats_opposite = slider.surfaces.hats.on(piece.partner);
     other += hats_opposite;
-    const Inputs x = inputs(piece);
+    const OverlapInputs x = inputs(piece);
     const auto exact = integrals(piece, x);
-    Eigen::Matrix<double, kOverlapOutputs, kInputs> derivative;
+    Eigen::Matrix<double, kOverlapOutputs, kAllInputs> derivative;
     derivative.setZero();
     derivative.topLeftCorner<kGapOutput, kOverlapInputs>() = exact.sums.force_by;
     derivative.bottomLeftCorner<kOverlapOutputs - kGapOutput, kNodeInputs>() = exact.sums.node_by;
     for (int k = 0; k < 2; ++k) derivative.block<1, 4>(kGapOutput + 2 * k + 1, kAnchorInput) = exact.by_anchor.row(k);
-    for (int k = 0; k < kInputs; ++k) {
+    for (int k = 0; k < kAllInputs; ++k) {
       const double step = k >= kNodeInputs && k < kAnchorInput ? 1e-3 : 1e-7;
-      Inputs plus = x, minus = x;
+      OverlapInputs plus = x, minus = x;
       plus(k) += step;
       minus(k) -= step;
       const auto up = integrals(piece, plus).sums, down = integrals(piece, minus).sums;
-      const Outputs difference = (up.value - down.value) / (2.0 * step);
+      const OverlapOutputs difference = (up.value - down.value) / (2.0 * step);
       EXPECT_LE((difference - derivative.col(k)).cwiseAbs().maxCoeff(), 1e-7) << "input " << k;
       if (!hats_opposite || k >= kNodeInputs) continue;
       EXPECT_NEAR((up.length_ratio.value - down.length_ratio.value) / (2.0 * step), exact.sums.length_ratio.by(k),
@@ -233,11 +233,11 @@ TEST_P(OverlapIntegral, PlaceOppositeHasExactDerivatives) {
     const Index f = face_of(piece), g = piece.partner;
     const double eta = 0.5 * (piece.begin + piece.end);
     const Moved exact = place_opposite(surfaces, at, f, g, eta);
-    const Inputs x = inputs(piece);
+    const OverlapInputs x = inputs(piece);
     EXPECT_EQ(exact.by.isZero(0.0), surfaces.undeformed) << "at small strain it is the place itself";
     for (int k = 0; k < kNodeInputs; ++k) {
       const auto moved = [&](double step) {
-        Inputs there = x;
+        OverlapInputs there = x;
         there(k) += step;
         FacePositions to = at;
         to.start[f] = there.segment<2>(0), to.end[f] = there.segment<2>(2);

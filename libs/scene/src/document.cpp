@@ -155,14 +155,19 @@ namespace {
 
 // What an unknown key could have been meant for: another name, another section, another kind of file.
 std::string meant_by(const std::string& kind, std::string_view key) {
-  if (const auto near = nearest_key(kind, key); !near.empty()) return fmt::format("did you mean '{}'? ", near);
+  const auto of_study = [](std::string_view section) { return section.starts_with("study"); };
   std::vector<std::string> places;
-  for (const auto section : sections_with(key))
-    places.push_back(section.empty()      ? "a scene (`cleft run`)"
-                     : section == "study" ? "a study (`cleft converge`)"
-                                          : fmt::format("[{}]", section));
-  if (places.empty() || places.size() > 2) return {};
-  return fmt::format("it belongs to {}; ", fmt::join(places, " or to "));
+  for (const auto section : sections_with(key)) {
+    if (section == "study" && !of_study(kind))
+      places.emplace_back("a study (`cleft converge`)");
+    else if (section.empty())
+      places.emplace_back("a scene (`cleft run`)");
+    else if (of_study(section) == of_study(kind))
+      places.push_back(fmt::format("[{}]", section));
+  }
+  if (!places.empty() && places.size() <= 2) return fmt::format("it belongs to {}; ", fmt::join(places, " or to "));
+  const auto near = nearest_key(kind, key);
+  return near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ TEST(SceneReader, SaysWhereAKeyOfAnotherPlaceBelongs) {
        "it belongs to [mesh] or to a study (`cleft converge`); allowed: title"},
       {"title =", "@quantity = []\ntitle =", "quantity", "it belongs to a study (`cleft converge`); allowed: title"},
       {"young =", "@smoothing = 2\nyoung =", "material.smoothing", "it belongs to [crack.contact]; allowed: model"},
+      {"title =", "@friction = 1\ntitle =", "friction", "it belongs to [material] or to [crack]; allowed: title"},
       {"young =", "@boundary = 2\nyoung =", "material.boundary", "it belongs to a scene (`cleft run`); allowed: model"},
       {"young =", "@amplitude = 2\nyoung =", "material.amplitude", "unknown key; allowed: model"},  // of five sections
   });

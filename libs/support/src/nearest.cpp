@@ -23,6 +23,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest(std::string_view mistyped, std::span<const std::string_view> names) {
+  const auto begun = std::ranges::find_if(names, [&](std::string_view name) { return name.starts_with(mistyped); });
+  if (mistyped.size() >= 3 && begun != names.end()) return *begun;
   std::string_view best;
   std::size_t least = 1 + std::max<std::size_t>(2, mistyped.size() / 3);
   for (const auto name : names)

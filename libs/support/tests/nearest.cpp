@@ -14,7 +14,9 @@ TEST(Nearest, IsTheNameThatTheFewestChangesMake) {
   EXPECT_EQ(nearest("convrge", names), "converge");
   EXPECT_EQ(nearest("frctioon", names), "friction");
   EXPECT_EQ(nearest("xfrictionxx", names), "friction") << "three of eleven letters";
+  EXPECT_EQ(nearest("fric", names), "friction") << "begun";
   EXPECT_EQ(nearest("displace", names), "");
+  EXPECT_EQ(nearest("", names), "");
   EXPECT_EQ(nearest("anything", {}), "");
 }
 
