@@ -38,7 +38,7 @@ poisson = 0.25
 name = "fault"
 points = [[0.0, 0.6], [0.7, 1.3]]   # a polyline; it may begin and end anywhere
 friction = 0.3                      # coefficient; 0: frictionless
-negative_side = "both"              # faces treated alike; "left" or "right" is cheaper
+negative_side = "both"              # the default: faces treated alike; or "left", "right"
 # growth = { criterion = "rankine", strength = 1.0e8, radius = 0.15, advance = 0.1, most = 3 }
 
 [[boundary]]                        # what is not listed is free

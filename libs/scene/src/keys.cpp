@@ -62,7 +62,8 @@ constexpr std::array kKeys = {
     Key{"crack", "amplitude", "number", "of the sine, m, first wave to the left"},
     Key{"crack", "periods", "number", "of the sine; default 1"},
     Key{"crack", "negative_side", "text",
-        "side whose face carries the contact quadrature: left | right | both; default right"},
+        "side whose face carries the contact quadrature: left | right | both; default both by mortar, right by "
+        "springs"},
     Key{"crack", "friction", "number", "Coulomb's coefficient; default 0"},
     Key{"crack", "intensities", "true or false", "stress intensity factors of its tips, in history.csv; default false"},
     Key{"crack", "contact", "table", "method and penalties"},

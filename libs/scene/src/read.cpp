@@ -60,16 +60,18 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
       if (out.points[k] == out.points[k - 1])
         s.fail("points", fmt::format("point {} repeats the one before; allowed: distinct points", k));
   }
+  out.friction = s.number_or("friction", 0.0, kNotNegative, "0 or greater");
+  out.intensities = s.flag_or("intensities", false);
+  if (const auto c = s.section("contact", "crack.contact")) {
+    read_contact(*c, out);
+  }
+  // mortar contact treats both faces alike for a few hundredths of the time; springs are the paper's
+  if (out.mortar.on) out.negative_side = contact::NegativeSide::Both;
   if (s.has("negative_side")) {
     const auto side = s.choice("negative_side", {"left", "right", "both"});
     out.negative_side = side == "left"    ? contact::NegativeSide::Left
                         : side == "right" ? contact::NegativeSide::Right
                                           : contact::NegativeSide::Both;
-  }
-  out.friction = s.number_or("friction", 0.0, kNotNegative, "0 or greater");
-  out.intensities = s.flag_or("intensities", false);
-  if (const auto c = s.section("contact", "crack.contact")) {
-    read_contact(*c, out);
   }
   if (const auto g = s.section("growth", "crack.growth")) {
     out.growth = read_growth(*g);

@@ -43,7 +43,7 @@ TEST(GoodScene, WhatIsAbsentHasItsDefault) {
   EXPECT_EQ(s.title, "");
   EXPECT_EQ(std::get<StructuredMesh>(s.mesh.kind).diagonal, geometry::Diagonal::Right);
   EXPECT_EQ(s.cracks[0].name, "crack1");
-  EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Right);
+  EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Both) << "by mortar contact no face is another one";
   EXPECT_EQ(s.cracks[0].friction, 0.0);
   EXPECT_FALSE(s.cracks[0].normal_penalty);
   EXPECT_EQ(s.boundaries[0].name, "bottom");
@@ -52,6 +52,17 @@ TEST(GoodScene, WhatIsAbsentHasItsDefault) {
   EXPECT_EQ(s.loading.steps, 50);
   EXPECT_FALSE(s.gravity);
   EXPECT_FALSE(s.exact);
+}
+
+TEST(GoodScene, SpringsStandOnTheRightFaceUnlessItSaysAnother) {
+  const auto side = [](const std::string& rest) {
+    return scene_of(kPlain + "[[crack]]\npoints = [[0, 0.02], [0.01, 0.02]]\n" + rest).cracks[0].negative_side;
+  };
+  EXPECT_EQ(side("contact = { method = \"penalty\" }\n"), contact::NegativeSide::Right);
+  EXPECT_EQ(side("contact = { normal_penalty = 1e12 }\n"), contact::NegativeSide::Right);
+  EXPECT_EQ(side("contact = { method = \"penalty\" }\nnegative_side = \"left\"\n"), contact::NegativeSide::Left);
+  EXPECT_EQ(side("contact = { smoothing = 1 }\n"), contact::NegativeSide::Both);
+  EXPECT_EQ(side("negative_side = \"right\"\n"), contact::NegativeSide::Right);
 }
 
 TEST(GoodScene, IntegersServeAsNumbers) {
