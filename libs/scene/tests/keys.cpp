@@ -36,7 +36,7 @@ const Json* find(const Json& scene, const Key& key) {
   return at;
 }
 
-TEST(Keys, SayTheDefaultsThatAScenesHave) {
+TEST(Keys, SayTheDefaultsThatScenesHave) {
   const std::string crack =
       "[[crack]]\npoints = [[0, 0.02], [0.01, 0.02]]\n"
       "growth = { criterion = \"rankine\", strength = 1e6, radius = 0.01, advance = 0.01 }\n";
