@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cleft::contact {
 namespace {
@@ -79,36 +78,31 @@ double distance_to(const FacePositions& at, const Ray& ray, Index g, double plac
   return std::fabs((at.start[g] + xi * e - y).dot(ray.n));
 }
 
-// Where several segments lie opposite a part of the face, as beside a sharp bend, the one that is nearest to its middle
-// counts: that does not depend on the order in which they were found, nor on that of the crack's points.
-std::vector<Tile> nearest_of(const FacePositions& at, const Ray& ray, const std::vector<Tile>& tiles) {
-  std::vector<double> cuts;
-  for (const Tile& tile : tiles) cuts.insert(cuts.end(), {tile.begin, tile.end});
-  std::ranges::sort(cuts);
-  std::vector<Tile> out;
-  for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    const double begin = cuts[k], end = cuts[k + 1];
-    if (end <= begin + kCrumb) continue;
-    const Tile* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Tile& tile : tiles) {
-      if (tile.begin > begin || tile.end < end) continue;
-      const double distance = distance_to(at, ray, tile.partner, 0.5 * (begin + end));
-      if (distance < least) least = distance, best = &tile;
-    }
-    if (best == nullptr) continue;
-    if (out.empty() || out.back().partner != best->partner || out.back().end != begin)
-      out.push_back({best->partner, begin, end, begin == best->begin ? best->begin_at : Bound{}, {}});
-    out.back().end = end;
-    out.back().end_at = end == best->end ? best->end_at : Bound{};
-  }
-  return out;
-}
-
+// Of tiles that lie one over the other, as beside a sharp bend, one that holds the other counts; of two alike the
+// nearer one; of two that share a part the one that is nearer there keeps it. None of this depends on the order in
+// which they were found, nor on that of the crack's points.
 void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& tiles) {
   std::ranges::sort(tiles, {}, &Tile::begin);
-  const auto runs_over = [](const Tile& a, const Tile& b) { return a.end > b.begin + kCrumb; };
-  if (std::ranges::adjacent_find(tiles, runs_over) != tiles.end()) tiles = nearest_of(at, ray, tiles);
+  std::vector<Tile> out;
+  for (Tile tile : tiles) {
+    if (out.empty() || tile.begin >= out.back().end - kCrumb) {
+      out.push_back(tile);
+      continue;
+    }
+    Tile& last = out.back();
+    const double middle = 0.5 * (tile.begin + std::min(tile.end, last.end));
+    const bool nearer = distance_to(at, ray, tile.partner, middle) < distance_to(at, ray, last.partner, middle);
+    const bool within = tile.end <= last.end + kCrumb,
+               around = tile.begin <= last.begin + kCrumb && tile.end >= last.end - kCrumb;
+    if (around && (!within || nearer)) last = tile;
+    if (around || within) continue;
+    if (nearer)
+      last.end = tile.begin, last.end_at = {};
+    else
+      tile.begin = last.end, tile.begin_at = {};
+    out.push_back(tile);
+  }
+  tiles = std::move(out);
 }
 
 // Adds the parts of a tile that lie in a strip, by trail; `first` and `last` bound the face's trails.

@@ -84,6 +84,21 @@ TEST(CheckTangent, ListsWhereTheOtherFaceEnds) {
     }
 }
 
+// Both legs of a notch far thinner than the elements lie opposite the same parts of the other face.
+TEST(CheckTangent, HoldsAtASharpNotch) {
+  for (const char* side : {"left", "right", "both"}) {
+    Subject body("block", {"mesh.box=[0,0,1,1]", "mesh.cells=[8,7]", "material.model=neo-hookean",
+                           "crack.main.points=[[0,0.47546],[0.28856,0.54642],[0.49266,0.46353],[0.49582,0.54791],[1,"
+                           "0.45416]]",
+                           "crack.main.friction=0.1", "crack.main.contact={method='mortar',smoothing=0.5}",
+                           fmt::format("crack.main.negative_side={}", side), "boundary.top.ux=0.033",
+                           "boundary.top.uy=0.0003", "loading.steps=3", "loading.outputs=[1.0]"});
+    TangentReport report = body.along_the_run(5);
+    EXPECT_LT(report.worst(), 1e-8) << side;
+    EXPECT_TRUE(report.enough());
+  }
+}
+
 TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
   for (const char* side : {"left", "right", "both"}) {
     Subject block("block", {"mesh.cells=[8,16]", std::string("crack.main.negative_side=") + side});
