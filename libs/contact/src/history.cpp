@@ -39,6 +39,12 @@ Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   return walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
 }
 
+// Where a point without an anchor takes hold: without tangential gap.
+void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, Memory& memory) {
+  memory.anchor_face = pair.partner_face;
+  memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
+}
+
 double stored(double normal, double tangential, const Law& law) {
   return 0.5 * (normal * normal / law.normal_penalty + tangential * tangential / law.tangential_penalty);
 }
@@ -72,8 +78,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   }
   double work = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
   if (!pair.anchored) {
-    next.anchor_face = pair.partner_face;
-    next.anchor_place = now.partner;
+    take_hold(surfaces, at, p, pair, next);
     return {next, work};
   }
   const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
@@ -100,8 +105,7 @@ Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;
   if (pair.anchored && now.traction.status == Status::Slip) next.slip += std::fabs(now.tangential_gap);
-  next.anchor_face = pair.partner_face;
-  next.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : now.partner;
+  take_hold(surfaces, at, p, pair, next);
   next.normal = now.traction.normal;
   next.tangential = now.traction.tangential;
   next.slope = now.slope;
