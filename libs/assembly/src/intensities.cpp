@@ -23,8 +23,34 @@ PlaneStrain body_of(const Model& m, Index tip) {
   return {c.mu, 0.5 * c.lambda / (c.lambda + c.mu)};
 }
 
-// What the faces of a crack transmit, point by point: on the face that carries the point, and opposite to it.
-std::vector<FacePiece> tractions(const Equilibrium& body, Index crack) {
+// The rotation R of the polar decomposition of the mean deformation gradient within the reach of a tip. Whatever is
+// measured along R is that of the body before it was turned: all that follows sees R^T F - 1 and R^T P and forces R^T
+// t. At small strain turns are infinitesimal, and the integral does not see them.
+Mat2 turn_around(const Equilibrium& body, Index tip) {
+  const auto& m = body.model;
+  if (m.is_small_strain()) return Mat2::Identity();
+  const auto& ball = m.cut.tips[tip];
+  Mat2 sum = Mat2::Zero();
+  for (const auto& point : m.tip_points)
+    if (point.tip == tip && (point.reference - ball.frame.tip()).norm() < ball.reach)
+      sum += point.weight * point.deformation(body.displacement);
+  const Vec2 turn = Vec2(sum(0, 0) + sum(1, 1), sum(1, 0) - sum(0, 1)).normalized();
+  Mat2 R;
+  R << turn, turn_left(turn);
+  return R;
+}
+
+// The tangent of a face as contact sees it.
+Vec2 tangent(const Equilibrium& body, const enrichment::Face& face) {
+  const Vec2 along = face.reference_end - face.reference_start;
+  if (body.model.surfaces.undeformed) return along.normalized();
+  const VecX& u = body.displacement;
+  return (along + face.end.displacement(u) - face.start.displacement(u)).normalized();
+}
+
+// What the faces of a crack transmit, point by point: on the face that carries the point, and opposite to it; turned
+// back by R.
+std::vector<FacePiece> tractions(const Equilibrium& body, Index crack, const Mat2& R) {
   const auto& surfaces = body.model.surfaces;
   std::vector<FacePiece> out;
   for (std::size_t p = 0; p < body.pairs.size(); ++p) {
@@ -32,7 +58,7 @@ std::vector<FacePiece> tractions(const Equilibrium& body, Index crack) {
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     if (face.crack != crack || !contact::presses(pair)) continue;
-    const Vec2 along = face.reference_end - face.reference_start, t = along.normalized();
+    const Vec2 along = face.reference_end - face.reference_start, t = R.transpose() * tangent(body, face);
     const auto& traction = pair.state.traction;
     const Vec2 t0 = pair.state.ramp * (traction.normal * face.normal_sign() * turn_left(t) + traction.tangential * t);
     const double part = point.weight / ((point.share_end - point.share_begin) * along.norm());  // 1/2 of both sides'
@@ -64,9 +90,6 @@ double distance(const FacePiece& piece, const geometry::TipBall& ball) {
   return (0.5 * (piece.start + piece.end) - ball.frame.tip()).norm();
 }
 
-// As far as the integral goes: the faces must be straight.
-double straight_reach(const geometry::TipBall& ball) { return std::min(ball.radius, ball.frame.straight_until()); }
-
 bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
   const auto& surfaces = body.model.surfaces;
   bool any = false;
@@ -74,7 +97,7 @@ bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     const Vec2 X = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
-    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > straight_reach(ball)) continue;
+    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > ball.reach) continue;
     any = true;
     if (!contact::presses(body.pairs[p])) return false;
   }
@@ -90,7 +113,7 @@ void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
   const auto sign = [](const FacePiece& piece) { return piece.side == Side::Left ? 1.0 : -1.0; };
   for (const auto& piece : pieces) {
     const double r = distance(piece, ball);
-    if (r < kWrong * straight_reach(ball) || r > straight_reach(ball)) continue;
+    if (r < kWrong * ball.reach || r > ball.reach) continue;
     for (int i = 0; i < 2; ++i) fit[i].add(r, sign(piece) * piece.traction[i], (piece.end - piece.start).norm());
   }
   for (auto& piece : pieces) {
@@ -110,13 +133,13 @@ Index ball_at(const Model& m, Index crack, int end) {
 Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   const auto& m = body.model;
   const auto& ball = m.cut.tips[tip];
-  const VecX& u = body.displacement;
+  const Mat2 R = turn_around(body, tip);
   const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
-    const Mat2 F = point.deformation(u);
-    return {F - Mat2::Identity(), stress_of(material, F).in_plane};
+    const Mat2 F = point.deformation(body.displacement);
+    return {R.transpose() * F - Mat2::Identity(), R.transpose() * respond_from_rest(material, F).piola};
   };
-  auto pieces = tractions(body, ball.crack);
+  auto pieces = tractions(body, ball.crack, R);
   if (is_closed(body, ball)) smooth(ball, pieces);
   return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip));
 }
@@ -128,7 +151,7 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   const auto& m = body.model;
   const auto& ball = m.cut.tips[tip];
   const auto solid = body_of(m, tip);
-  const Vec2 ahead = ball.frame.ahead(), left = turn_left(ahead);
+  const Vec2 ahead = turn_around(body, tip) * ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = body.displacement;
   const double nearest = std::max(kNearest * ball.radius, kBlunt * enrichment::blunting_at(m.mesh, m.unknowns, ball));
