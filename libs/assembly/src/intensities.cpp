@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "cleft/assembly/stress.hpp"
@@ -122,7 +123,21 @@ void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
   }
 }
 
+Vec2 body_force(const Equilibrium& body) {
+  return body.model.body_force ? body.model.body_force(body.load) : Vec2::Zero();
+}
+
+double element_size(const Model& m, Index tip) {
+  return std::sqrt(2.0 * geometry::triangle_area(m.mesh, m.cut.tips[tip].element));
+}
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 }  // namespace
+
+double elements_within_reach(const Model& m, Index tip) { return m.cut.tips[tip].reach / element_size(m, tip); }
+
+double least_reach(const Model& m, Index tip) { return kLeastReach * element_size(m, tip); }
 
 Index ball_at(const Model& m, Index crack, int end) {
   for (std::size_t tip = 0; tip < m.cut.tips.size(); ++tip)
@@ -132,6 +147,7 @@ Index ball_at(const Model& m, Index crack, int end) {
 
 Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   const auto& m = body.model;
+  if (elements_within_reach(m, tip) < kLeastReach) return {kUnknown, kUnknown};
   const auto& ball = m.cut.tips[tip];
   const Mat2 R = turn_around(body, tip);
   const auto& material = m.material(point_near(m, tip));
@@ -141,7 +157,8 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   };
   auto pieces = tractions(body, ball.crack, R);
   if (is_closed(body, ball)) smooth(ball, pieces);
-  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip));
+  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip),
+                                          R.transpose() * body_force(body));
 }
 
 // theory (10.6)
@@ -149,12 +166,14 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   constexpr double kNearest = 0.05;  // of the radius: nearer the jump is too small to tell
   constexpr double kBlunt = 2.0;     // blunt functions: nearer the jump is not that of the singular field
   const auto& m = body.model;
+  if (elements_within_reach(m, tip) < kLeastReach) return {kUnknown, kUnknown};
   const auto& ball = m.cut.tips[tip];
   const auto solid = body_of(m, tip);
   const Vec2 ahead = turn_around(body, tip) * ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = body.displacement;
   const double nearest = std::max(kNearest * ball.radius, kBlunt * enrichment::blunting_at(m.mesh, m.unknowns, ball));
+  const double farthest = std::min(m.unknowns.plateau * ball.radius, ball.reach);
   Line opening, sliding;
   for (std::size_t s = 0; s < m.cut.segments.size(); ++s) {
     if (m.cut.segments[s].tip != tip) continue;
@@ -162,7 +181,7 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
     const auto& below = m.surfaces.faces[enrichment::face_of(static_cast<Index>(s), geometry::other(upper))];
     const Vec2 jump = above.start.displacement(u) - below.start.displacement(u);
     const double r = (above.reference_start - ball.frame.tip()).norm();
-    if (r < nearest || r > m.unknowns.plateau * ball.radius) continue;
+    if (r < nearest || r > farthest) continue;
     const double factor = solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));

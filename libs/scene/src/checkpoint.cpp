@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 8\n";
+constexpr char kMagic[] = "cleft checkpoint 9\n";
 
 struct Writer {
   std::string out;
@@ -75,6 +75,7 @@ void pass(Io& io, growth::Record& g) {
     io(due.demand.ahead.y());
     io(due.demand.stress);
     io(due.demand.intensities);
+    io(due.demand.elements);
   });
   io(g.measure);
   io(g.beyond);
