@@ -17,8 +17,8 @@ bool asks_for_intensities(const CrackSpec& crack);
 /// on a node within it.
 void refuse_narrow_tips(const Scene& scene, const assembly::Model& model);
 
-/// One line for each tip whose intensities are taken within fewer than 3 element sizes, and with `all` also where the
-/// reach is less than the ball.
+/// One line for each tip whose intensities may be off by more than 1 % because its ball, or at finite strain its reach,
+/// is less than 3 element sizes; with `all` also where the reach is less than the ball.
 std::vector<std::string> remarks_on_reach(const Scene& scene, const assembly::Model& model, bool all);
 
 }  // namespace cleft::scene
