@@ -91,6 +91,9 @@ double distance(const FacePiece& piece, const geometry::TipBall& ball) {
   return (0.5 * (piece.start + piece.end) - ball.frame.tip()).norm();
 }
 
+// The part of the faces that tells what acts at the tip: straight, and in the ball, of which a part may be no body.
+double straight_reach(const geometry::TipBall& ball) { return std::min(ball.radius, ball.frame.straight_until()); }
+
 bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
   const auto& surfaces = body.model.surfaces;
   bool any = false;
@@ -98,7 +101,7 @@ bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
     const auto& point = surfaces.points[p];
     const auto& face = surfaces.faces[point.face];
     const Vec2 X = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
-    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > ball.reach) continue;
+    if (face.crack != ball.crack || (X - ball.frame.tip()).norm() > straight_reach(ball)) continue;
     any = true;
     if (!contact::presses(body.pairs[p])) return false;
   }
@@ -109,12 +112,12 @@ bool is_closed(const Equilibrium& body, const geometry::TipBall& ball) {
 // let it oscillate, and the integral weighs it by r^(-1/2). What acts farther out is continued to the tip: on the
 // closed crack of the verification (h = a / 43, springs at 10 E/h) K_II is then off by 0.02 % instead of 3 %.
 void smooth(const geometry::TipBall& ball, std::vector<FacePiece>& pieces) {
-  constexpr double kWrong = 0.2;  // of the radius
+  constexpr double kWrong = 0.2;  // of the straight part
   std::array<Line, 2> fit;
   const auto sign = [](const FacePiece& piece) { return piece.side == Side::Left ? 1.0 : -1.0; };
   for (const auto& piece : pieces) {
     const double r = distance(piece, ball);
-    if (r < kWrong * ball.reach || r > ball.reach) continue;
+    if (r < kWrong * straight_reach(ball) || r > straight_reach(ball)) continue;
     for (int i = 0; i < 2; ++i) fit[i].add(r, sign(piece) * piece.traction[i], (piece.end - piece.start).norm());
   }
   for (auto& piece : pieces) {
@@ -175,6 +178,7 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   const double nearest = std::max(kNearest * ball.radius, kBlunt * enrichment::blunting_at(m.mesh, m.unknowns, ball));
   const double farthest = std::min(m.unknowns.plateau * ball.radius, ball.reach);
   Line opening, sliding;
+  int points = 0;
   for (std::size_t s = 0; s < m.cut.segments.size(); ++s) {
     if (m.cut.segments[s].tip != tip) continue;
     const auto& above = m.surfaces.faces[enrichment::face_of(static_cast<Index>(s), upper)];
@@ -185,7 +189,9 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
     const double factor = solid.shear_modulus / (solid.kappa() + 1.0) * std::sqrt(2.0 * std::numbers::pi / r);
     opening.add(r, factor * jump.dot(left));
     sliding.add(r, factor * jump.dot(ahead));
+    ++points;
   }
+  if (points < 2) return {kUnknown, kUnknown};
   return {opening(0.0), sliding(0.0)};
 }
 

@@ -32,7 +32,8 @@ double least_reach(const Model& model, Index tip);
 enrichment::Intensities intensities_by_integral(const Equilibrium& body, Index tip);
 
 /// By opening and slip of the faces: K(r) = E' jump / 8 sqrt(2 pi / r) over the inner part of the ball, continued
-/// linearly to r = 0. Not a number where a tip has none (kLeastReach).
+/// linearly to r = 0. Not a number where a tip has none (kLeastReach), or fewer than two places lie within its reach
+/// and beyond the blunt part of the functions.
 enrichment::Intensities intensities_by_faces(const Equilibrium& body, Index tip);
 
 }  // namespace cleft::assembly
