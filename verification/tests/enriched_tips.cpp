@@ -111,6 +111,19 @@ INSTANTIATE_TEST_SUITE_P(Angles, SlantedCrack,
                                          Slanted{"b30", 30.0, {0.011, 0.0}, {0.57735026918962576, 1.0}, 69}),
                          [](const auto& c) { return c.param.name; });
 
+// Two elements from the boundary, which moves as the exact field does; the ball has 5.6.
+TEST(EnrichedTips, FindTheStressIntensityWhereTheBallSticksOutOfTheBody) {
+  Case table("open crack at 45 deg, its tip 2.1 elements from the boundary, R = 5.6 h");
+  const double unit = 0.5 * kTension * std::sqrt(std::numbers::pi * std::numbers::sqrt2);
+  const Solved run = solve("slanted_crack", {"mesh.box=[-2,-2,1.15,2]", "mesh.cells=[44,56]"});
+  for (const int mode : {1, 2}) {
+    table.compare(fmt::format("K of mode {} by the integral", mode), run.at(fmt::format("k{}_slit_end", mode), 1.0),
+                  exact(unit), within_part(0.005, "as far from the boundary"));
+    table.compare(fmt::format("K of mode {} by the faces", mode), run.at(fmt::format("k{}_faces_slit_end", mode), 1.0),
+                  exact(unit), within_part(0.015, "a line through K(r) over two elements"));
+  }
+}
+
 TEST(EnrichedTips, RaiseTheOrderOfTheEnergyOfAnOpenCrackToOne) {
   Case table("open crack, branch functions within a third of its half-length");
   for (const auto& [radius, order] : {std::pair{0.0, 0.5}, {0.5, 1.0}}) {

@@ -75,6 +75,7 @@ void pass(Io& io, growth::Record& g) {
     io(due.demand.ahead.y());
     io(due.demand.stress);
     io(due.demand.intensities);
+    io(due.demand.elements);
   });
   io(g.measure);
   io(g.beyond);

@@ -15,6 +15,7 @@
 #include "materials.hpp"
 #include "meshing.hpp"
 #include "supports.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -289,11 +290,10 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
   if (scene.gravity) {
     const Vec2 density = scene.gravity->density * scene.gravity->value;
-    m.dead_loads.push_back([force = body_force(m,
-                                               [density](const Vec2&, geometry::MaybeSide) -> Vec2 {
-                                                 return {density.x(), density.y()};
-                                               }),
-                            a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
+    const auto a = scene.gravity->amplitude;
+    const VecX force = body_force(m, [density](const Vec2&, geometry::MaybeSide) -> Vec2 { return density; });
+    m.dead_loads.push_back([force, a](double load) -> VecX { return a(load) * force; });
+    m.body_force = [density, a](double load) -> Vec2 { return a(load) * density; };
   }
   if (scene.exact) {
     (void)make_field(*scene.exact, constants);  // its parameters are wrong now or not at all
@@ -310,6 +310,7 @@ assembly::Model build_model(const Scene& scene) {
   auto cracks = make_cracks(scene, mesh);
   auto m = discretise(scene, std::move(mesh), std::move(cracks), {});
   refuse_idle_growth(scene, m);
+  refuse_narrow_tips(scene, m);
   return m;
 }
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 #include "cleft/geometry/distance.hpp"
 #include "cleft/scene/problem.hpp"
 #include "meshing.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -71,7 +73,7 @@ void about_moved_end(const geometry::Mesh& mesh, const std::string& crack, const
 }
 
 void about_tip(const geometry::Mesh& mesh, const Outline& outline, const std::string& crack,
-               const geometry::CrackEnd& end, double ball, Lines& out) {
+               const geometry::CrackEnd& end, double ball, bool intensities, Lines& out) {
   if (end.kind != geometry::CrackEnd::Kind::Tip) return;
   const double size = size_at(mesh, end.effective), away = outline.distance(end.effective);
   if (away < kNear * size)
@@ -79,7 +81,7 @@ void about_tip(const geometry::Mesh& mesh, const Outline& outline, const std::st
         fmt::format("{}: only {:.2g} element sizes lie between the tip {} and the boundary, too few to carry "
                     "what is left of the body there; a finer mesh there, or a crack that cuts through",
                     crack, away / size, at(end.effective)));
-  if (ball > 0.0 && ball < kSmallBall * size)
+  if (ball > 0.0 && !intensities && ball < kSmallBall * size)
     out.push_back(
         fmt::format("{}: the ball of {:.3g} m around the tip {} is {:.2g} element sizes in radius; at least 3 "
                     "are needed for intensities within 1 %",
@@ -132,7 +134,8 @@ void about_crack(const Scene& scene, const assembly::Model& model, const Outline
   const std::string crack = "crack '" + spec.name + "'";
   const auto& ends = model.cut.cracks[k].ends;
   for (const auto& end : ends) about_moved_end(model.mesh, crack, end, out);
-  for (const auto& end : ends) about_tip(model.mesh, outline, crack, end, scene.tip_enrichment, out);
+  for (const auto& end : ends)
+    about_tip(model.mesh, outline, crack, end, scene.tip_enrichment, asks_for_intensities(spec), out);
   double within = 0.0;
   for (Index s = model.cut.cracks[k].first_segment; s < model.cut.cracks[k].last_segment; ++s)
     within += model.cut.segments[s].s_end - model.cut.segments[s].s_start;
@@ -200,6 +203,7 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     const Outline outline(model.mesh);
     for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, outline, k, size[k], scale[k], out);
   }
+  std::ranges::copy(remarks_on_reach(scene, model, true), std::back_inserter(out));
   for (const auto& material : scene.materials) about_material(scene, material, out);
   const double extent = extent_of(model.mesh);
   for (const auto& b : scene.boundaries) about_boundary(b, extent, out);

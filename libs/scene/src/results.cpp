@@ -95,7 +95,8 @@ Results::Results(const Scene& scene, std::string directory, const Checkpoint* re
     open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step\n",
          resumed);
   if (grows(scene))
-    open("growth.csv", "step,load,crack,tip,advance,X,Y,length,angle,turn,stress,k1,k2,demand,released_energy,stop\n",
+    open("growth.csv",
+         "step,load,crack,tip,advance,X,Y,length,angle,turn,stress,k1,k2,demand,released_energy,stop,elements\n",
          resumed);
   if (resumed) outputs_ = resumed->outputs;
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
@@ -157,10 +158,11 @@ void Results::add_advances(const growth::Step& step) {
   std::string rows;
   double released = step.released;  // in the first row of a step, so that the column adds up
   for (const auto& a : step.advances)
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
                    step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(),
                    a.length, degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
-                   a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop));
+                   a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop),
+                   a.demand.elements);
   logs_.at("growth.csv").append(rows);
 }
 

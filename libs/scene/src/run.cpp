@@ -17,6 +17,7 @@
 #include "remarks_at_end.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -283,6 +284,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.newton_order = median(orders);
   result.remarks = remarks_at_end(scene, evolution.stepper());
   for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));
+  if (result.advances > 0)
+    for (auto& remark : remarks_on_reach(scene, evolution.model(), false)) result.remarks.push_back(std::move(remark));
   const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
   const auto assembly = evolution.assembly_seconds();

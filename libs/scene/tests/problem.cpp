@@ -88,6 +88,34 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
   }
 }
 
+TEST(Problem, RefusesIntensitiesWhereATipHasNone) {
+  const std::string text =
+      "[mesh]\nbox = [0, 0, 1, 1]\ncells = [16, 16]\n[material]\nmodel = \"hencky\"\nyoung = 1e9\npoisson = 0.25\n"
+      "[formulation]\ntip_enrichment = 0.12\n[[crack]]\nname = \"main\"\npoints = [[0, 0.43], [0.6, 0.43]]\n"
+      "intensities = true\n[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\n";
+  const auto refusal = [&](const std::string& from, const std::string& to) -> std::string {
+    try {
+      (void)build_model(scene_of(replaced(text, from, to)));
+    } catch (const InputError& error) {
+      return error.key() + ": " + error.problem();
+    }
+    return "accepted";
+  };
+  const std::string growth = "growth = { criterion = \"hoop-stress\", toughness = 1e6, advance = ",
+                    pin = "[[boundary]]\nname = \"pin\"\nux = 0.0\nbox = ", ask = "intensities = true\n";
+  EXPECT_EQ(refusal("0.6, 0.43", "0.95, 0.43"), "accepted");
+  EXPECT_EQ(refusal("0.6, 0.43", "0.98, 0.43"),
+            "crack[0] 'main': its stress intensity factors are asked for, but 0.02 m from the tip (0.98, 0.43), 0.32 "
+            "element sizes, the body ends; allowed: at least half an element size, 0.0312 m");
+  EXPECT_EQ(refusal("[0.6, 0.43]", "[0.6, 0.43], [0.62, 0.44]").find("crack[0] 'main': its stress intensity"), 0U);
+  EXPECT_EQ(refusal(ask, growth + "0.04 }\n"), "accepted");
+  EXPECT_EQ(refusal(ask, growth + "0.03 }\n").find("crack[0].growth.advance: after an advance the crack bends"), 0U);
+  EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.87, 0.43, 0.88, 0.44]\n[[boundary]]\n"), "accepted");
+  EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.62, 0.43, 0.63, 0.44]\n[[boundary]]\n")
+                .find("boundary[0] 'pin': holds the node (0.625, 0.4375) in the ball of a tip of crack 'main'"),
+            0U);
+}
+
 // A body that can move as a whole would do so, by any amount.
 TEST(Problem, RefusesABodyThatIsNotHeld) {
   const auto refused = [](const std::string& text) -> std::string {

@@ -47,6 +47,8 @@ struct Model {
   std::vector<Index> material_of;  ///< of each material point, its number in `materials`; empty where there is one
   std::vector<Prescribed> prescribed;
   std::vector<DeadLoad> dead_loads;
+  /// Those of them that act on the volume, at a load: N/m^3 at rest, uniform. Empty: none.
+  std::function<Vec2(double load)> body_force;
 
   /// Points at which the material is evaluated: the cells, then the points of tips.
   std::size_t material_points() const { return cells.size() + tip_points.size(); }
