@@ -29,39 +29,47 @@ double share_of(const contact::Surfaces& surfaces, const enrichment::Face& face)
 // Values at contact points, as continuous functions along the faces that carry them.
 class AlongFaces {
  public:
-  explicit AlongFaces(const contact::Surfaces& surfaces) : surfaces_(surfaces), first_(surfaces.faces.size() + 1, 0) {
+  AlongFaces(const contact::Surfaces& surfaces, const std::vector<contact::Pair>& pairs)
+      : surfaces_(surfaces), pairs_(pairs), first_(surfaces.faces.size() + 1, 0) {
     for (const auto& point : surfaces.points) ++first_[point.face + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
-  bool has_points(Index face) const { return first_[face] != first_[face + 1]; }
-
-  // Linear between the two points around a place (0 to 1 along the face), constant beyond the last ones.
+  // At a place on a face (0 to 1 along it) that has something opposite: linear between the two points around it, of
+  // which one past the end of the other face has no say. Without points there is nothing.
   Vec2 at(Index face, double eta, const std::vector<Vec2>& values) const {
+    if (first_[face] == first_[face + 1]) return Vec2::Zero();
     Index after = first_[face];
     while (after < first_[face + 1] && surfaces_.points[after].eta < eta) ++after;
-    const Index last = after - 1, previous = surfaces_.faces[face].previous, next = surfaces_.faces[face].next;
-    const Index before = after > first_[face] ? last : previous != kNone ? first_[previous + 1] - 1 : kNone;
+    const Index previous = surfaces_.faces[face].previous, next = surfaces_.faces[face].next;
+    Index before = after > first_[face] ? after - 1 : previous != kNone ? first_[previous + 1] - 1 : kNone;
     if (after == first_[face + 1]) after = next != kNone ? first_[next] : kNone;
-    if (before == kNone) return values[after];
+    if (!is_covered(before)) before = kNone;
+    if (!is_covered(after)) after = kNone;
+    if (before == kNone) return after == kNone ? Vec2(Vec2::Zero()) : values[after];
     if (after == kNone) return values[before];
-    const auto& own = surfaces_.faces[face];
-    const double part = (own.s_start + eta * (own.s_end - own.s_start) - s_of(before)) / (s_of(after) - s_of(before));
+    const double part = (s_at(face, eta) - s_of(before)) / (s_of(after) - s_of(before));
     return (1.0 - part) * values[before] + part * values[after];
   }
 
  private:
-  double s_of(Index p) const {
-    const auto& point = surfaces_.points[p];
-    const auto& face = surfaces_.faces[point.face];
-    return face.s_start + point.eta * (face.s_end - face.s_start);
+  bool is_covered(Index p) const {
+    constexpr double kVertex = 1e-9;
+    if (p == kNone || pairs_[p].partner_face == kNone) return false;
+    return std::fabs(pairs_[p].state.partner - 0.5) <= 0.5 + kVertex;
   }
+  double s_at(Index f, double eta) const {
+    const auto& face = surfaces_.faces[f];
+    return face.s_start + eta * (face.s_end - face.s_start);
+  }
+  double s_of(Index p) const { return s_at(surfaces_.points[p].face, surfaces_.points[p].eta); }
 
   const contact::Surfaces& surfaces_;
+  const std::vector<contact::Pair>& pairs_;
   std::vector<Index> first_;  // point of each face, and one more
 };
 
-// What points exert on their own face and opposite, per current length of each, Pa.
+// What points exert on their own face and opposite, per current length of each, before the ramp at a mouth, Pa.
 struct Exerted {
   std::vector<Vec2> on_own, on_partner;
 };
@@ -82,7 +90,7 @@ Exerted exerted_by(const assembly::LoadStepper& stepper) {
     const auto& face = surfaces.faces[own];
     const auto& s = pair.state;
     const FaceFrame f = frame_of(surfaces, at, own), other = frame_of(surfaces, at, pair.partner_face);
-    const double factor = share_of(surfaces, face) * s.ramp / stretch_of(face, s);
+    const double factor = share_of(surfaces, face) / stretch_of(face, s);
     out.on_own[p] = factor * (s.traction.normal * f.n + s.traction.tangential * f.t);
     out.on_partner[p] = -std::fabs(f.t.dot(other.t)) * out.on_own[p];
   }
@@ -94,7 +102,7 @@ Exerted exerted_by(const assembly::LoadStepper& stepper) {
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
   const auto& surfaces = stepper.model().surfaces;
   const auto& at = stepper.face_positions();
-  const AlongFaces along(surfaces);
+  const AlongFaces along(surfaces, stepper.pairs());
   const Exerted exerted = exerted_by(stepper);
   std::vector<ProfilePoint> out;
   for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
@@ -120,19 +128,15 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
       q.gap = s.normal_gap;
       q.partner_s = other.s_start + s.partner * (other.s_end - other.s_start);
       q.status = s.traction.status;
-      const double part = share_of(surfaces, face) * s.ramp, stretch = stretch_of(face, s);
-      q.normal = part * s.traction.normal;
-      q.tangential = part * s.traction.tangential;
-      Vec2 opposite = exerted.on_partner[p];
-      if (along.has_points(pair.partner_face)) {  // they press on this face, too
-        const Vec2 more = stretch * along.at(pair.partner_face, s.partner, exerted.on_partner);
-        const FaceFrame f = frame_of(surfaces, at, point.face);
-        q.normal += more.dot(f.n);
-        q.tangential += more.dot(f.t);
-        opposite += along.at(pair.partner_face, s.partner, exerted.on_own);
-      }
+      const FaceFrame f = frame_of(surfaces, at, point.face), f_other = frame_of(surfaces, at, pair.partner_face);
+      const double part = share_of(surfaces, face), stretch = stretch_of(face, s);
+      // what the other face's points exert here, if it has any, and on their own face
+      const Vec2 here = along.at(pair.partner_face, s.partner, exerted.on_partner),
+                 there = along.at(pair.partner_face, s.partner, exerted.on_own);
+      q.normal = s.ramp * (part * s.traction.normal + stretch * here.dot(f.n));
+      q.tangential = s.ramp * (part * s.traction.tangential + stretch * here.dot(f.t));
       q.pressure = 0.0 - q.normal / stretch;  // of no traction 0, not -0
-      q.partner_pressure = 0.0 - opposite.dot(frame_of(surfaces, at, pair.partner_face).n);
+      q.partner_pressure = 0.0 - s.ramp * (exerted.on_partner[p] + there).dot(f_other.n);
     }
     out.push_back(q);
   }
