@@ -105,6 +105,31 @@ TEST_P(SlantedCrack, HasTheStressIntensityOfTheInfinitePlane) {
     }
 }
 
+// Griffith's ellipse, 4 (1 - nu^2) / E s sqrt(a^2 - x^2), of which the normal jump has the normal stress for s and the
+// tangential one the shear.
+TEST_P(SlantedCrack, OpensAndSlidesAsAnEllipse) {
+  constexpr double kYoung = 1e10, kPoisson = 0.25;
+  const Slanted& crack = GetParam();
+  const double b = crack.degrees * std::numbers::pi / 180.0, a = crack.half.norm();
+  const double factor = 4.0 * (1.0 - kPoisson * kPoisson) / kYoung * kTension * std::sin(b);
+  Case table(fmt::format("open crack, {:.0f} deg to the load, h = a / {:.1f}", crack.degrees, 1.0 / crack.h_over_a()));
+  const Solved run = solve("slanted_crack", keys_of(crack));
+  for (const auto& [column, stress] :
+       {std::pair{"opening", std::sin(b)}, {"jump_n", std::sin(b)}, {"jump_t", std::cos(b)}}) {
+    double worst = 0.0, at_tips = 0.0;
+    for (const Row& row : run.profile("slit", 1.0)) {
+      const double x = number(row, "s") - a, ellipse = factor * stress * std::sqrt(a * a - x * x);
+      double& largest = a - std::fabs(x) < crack.h_over_a() * a ? at_tips : worst;
+      largest = std::fmax(largest, std::fabs(number(row, column) - ellipse) / (factor * stress * a));
+    }
+    table.compare(fmt::format("{}, worst distance from the ellipse over its height", column), worst, exact(0.0),
+                  within(0.005, "the mesh"));
+    table.compare(fmt::format("{}, the same within h of a tip", column), at_tips, exact(0.0),
+                  within(std::sqrt(2.0 * crack.h_over_a()) / 14.0,
+                         "chords of the faces, by a sixteenth of the jump at h from the tip, and the mesh"));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Angles, SlantedCrack,
                          testing::Values(Slanted{"b45", 45.0, {0.0, 0.013}, {1.0, 1.0}, 56},
                                          Slanted{"b70", 70.0, {0.0, 0.013}, {1.0, 0.36397023426620234}, 75},

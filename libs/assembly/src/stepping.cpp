@@ -42,6 +42,7 @@ LoadStepper::LoadStepper(const Model& model, StepControls controls)
     : model_(model),
       controls_(std::move(controls)),
       constraints_(constraints_of(model)),
+      reactions_(model, constraints_),
       targets_(targets_of(controls_)),
       assembler_(model),
       solver_(factorisation_for(model)),
@@ -298,10 +299,7 @@ Step LoadStepper::commit(const Increment& increment) {
 }
 
 std::vector<Vec2> LoadStepper::reactions() const {
-  std::vector<Vec2> sum(model_.prescribed.size(), Vec2::Zero());
-  for (std::size_t k = 0; k < constraints_.size(); ++k)
-    sum[constraints_[k].source][constraints_[k].component % 2] += state_.prescribed_force[k];
-  return sum;
+  return reactions_(model_, constraints_, state_.prescribed_force, state_);
 }
 
 }  // namespace cleft::assembly

@@ -92,7 +92,9 @@ Results::Results(const Scene& scene, std::string directory, const Checkpoint* re
        "rounding,gradient,chatters,kept\n",
        resumed);
   for (const auto& crack : scene.cracks)
-    open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step\n",
+    open(crack_file(crack.name),
+         "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step,"
+         "opening,jump_n,jump_t\n",
          resumed);
   if (grows(scene))
     open("growth.csv",
@@ -171,15 +173,14 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
   const auto points = profile(stepper);
   std::map<Index, std::string> rows;
   for (const auto& q : points)
-    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
-                   q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
+    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                   load, q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
                    q.current.x(), q.current.y(), q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status),
-                   q.partner_s, q.partner_pressure, step.number);
+                   q.partner_s, q.partner_pressure, step.number, q.opening, q.jump_normal, q.jump_tangential);
   for (const auto& [crack, text] : rows) logs_.at(crack_file(scene_.cracks[crack].name)).append(text);
 
   const int number =
       static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
-  const auto& u = stepper.state().displacement;
   // ParaView shows one state at a time: those after growth at the same load follow a crumb later
   constexpr double kCrumb = 1e-9;
   const bool grown = !step.advances.empty() && !outputs_.empty();
@@ -189,7 +190,8 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
     outputs_.push_back({time, part, file});
   };
   add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(stepper.model(), stepper.state()));
-  if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), u, points));
+  if (!points.empty())
+    add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), stepper.state(), points));
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
 }
 

@@ -6,6 +6,7 @@
 
 #include "cleft/assembly/equilibrium.hpp"
 #include "cleft/assembly/newton.hpp"
+#include "cleft/assembly/reactions.hpp"
 
 namespace cleft::assembly {
 
@@ -87,7 +88,8 @@ class LoadStepper {
   /// Goes on from what an earlier run kept; without a room for the contact's partners, with the one at rest.
   void restore(State state, StepPlace place, std::optional<ContactRoom> room = {});
 
-  /// Force on the body (N/m) through each prescribed boundary of the model, in its order.
+  /// Force on the body (N/m) through each prescribed boundary of the model, in its order; what holds a node that
+  /// several prescribe is divided among them (reactions.hpp).
   std::vector<Vec2> reactions() const;
 
   /// Whether symmetric factorisation is allowed: no contact, no patches, and no plastic flow that is not associated.
@@ -108,6 +110,7 @@ class LoadStepper {
   const Model& model_;
   StepControls controls_;
   std::vector<Constraint> constraints_;
+  Reactions reactions_;
   std::vector<double> targets_;
   Assembler assembler_;
   LinearSolver solver_;
