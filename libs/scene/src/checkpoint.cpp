@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 8\n";
+constexpr char kMagic[] = "cleft checkpoint 9\n";
 
 struct Writer {
   std::string out;
@@ -119,6 +119,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.prescribed_force);
   io(s.previous_load);
   pass(io, s.previous_displacement);
+  pass(io, s.previous_prescribed_force);
   pass(io, s.progress);
   io(c.place.number);
   io(c.place.step);
