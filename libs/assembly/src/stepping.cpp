@@ -47,16 +47,13 @@ void LoadStepper::restore(State state, StepPlace place, std::optional<ContactRoo
 }
 
 // Whether the last increment tells how the next one will go.
-bool LoadStepper::goes_on() const {
-  return state_.previous_load < state_.load && !turns_at(controls_, state_.load);
-}
+bool LoadStepper::goes_on() const { return state_.previous_load < state_.load && !turns_at(controls_, state_.load); }
 
 // Where the next increment of the load ends. No crumbs: what is left of the way to a target is either nothing or at
 // least as long as the increment.
 double LoadStepper::next_end(double before) const {
   const double target = first_beyond(targets_, state_.load), rest = target - state_.load;
-  const double end =
-      rest <= kReaches * place_.step ? target : state_.load + std::min(place_.step, 0.5 * rest);
+  const double end = rest <= kReaches * place_.step ? target : state_.load + std::min(place_.step, 0.5 * rest);
   return std::min(before, end);
 }
 
@@ -180,7 +177,8 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
   const bool known = goes_on();
   if (!known) place_.step = std::min(place_.step, planned());
-  const double least = std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
+  const double least =
+      std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
   int cuts = 0, iterations_before = 0;
   double before = event.before;
   for (;;) {
@@ -206,8 +204,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       }
     const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
-    std::optional<Step> out = along_path ? commit_on_path(increment, easy)
-                                          : commit_if_accurate(increment, easy, known);
+    std::optional<Step> out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, known);
     if (!out) {
       iterations_before += static_cast<int>(increment.iterations.size());
       continue;

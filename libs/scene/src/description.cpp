@@ -166,7 +166,7 @@ double Amplitude::operator()(double load) const {
 }
 
 std::vector<double> Amplitude::turns() const {
-  constexpr double kSameSlope = 1e-9;  // of points that lie on a line but for rounding
+  constexpr double kSameSlope = 1e-9;      // of points that lie on a line but for rounding
   const auto slope = [&](std::size_t k) {  // before the point k
     if (k == 0 || k == points.size()) return 0.0;
     return (points[k][1] - points[k - 1][1]) / (points[k][0] - points[k - 1][0]);

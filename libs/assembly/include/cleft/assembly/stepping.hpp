@@ -55,13 +55,13 @@ struct Event {
 /// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
 /// 1/steps, where it is easy. All outputs and kinks are hit exactly, and the loads k/steps but those within a hundredth
 /// of 1/steps of an output or kink. An increment that is short because it ends at one of them, or at an event, leaves
-/// the size that is wanted as it is. With an accuracy increments are as long as that allows, where the iteration is easy,
-/// and only outputs and kinks are hit. The first after a kink is no longer than 1/steps and not extrapolated.
+/// the size that is wanted as it is. With an accuracy increments are as long as that allows, where the iteration is
+/// easy, and only outputs and kinks are hit. The first after a kink is no longer than 1/steps and not extrapolated.
 ///
 /// With Control::Path an increment of the load that fails is tried along the path instead, and so are those after it,
-/// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs, the kinks and
-/// load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again. The run
-/// ends where the path leads back to load 0.
+/// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs, the kinks
+/// and load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again.
+/// The run ends where the path leads back to load 0.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
