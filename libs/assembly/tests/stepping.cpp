@@ -55,7 +55,7 @@ TEST(Stepping, EndsAtOutputsAndTurnsOfTheLoadAndGoesOnAsBefore) {
 TEST(Stepping, PlannedLoadsGiveWayToOutputsAndKinksBesideThem) {
   EXPECT_EQ(loads_with(3, {0.3333, 0.6667, 1.0}, {}), (Loads{0.3333, 0.6667, 1.0}));
   EXPECT_EQ(loads_with(3, {}, {0.333, 0.667}), (Loads{0.333, 0.667, 1.0}));
-  EXPECT_EQ(loads_with(10, {0.101, 0.899, 1.0}, {}).size(), 10u) << "the way between two of them is made at once";
+  EXPECT_EQ(loads_with(10, {0.0995, 0.2005, 1.0}, {}).size(), 10u) << "the way between two of them is made at once";
   EXPECT_EQ(loads_with(2, {0.49}, {}), (Loads{0.49, 0.5, 1.0})) << "farther than a hundredth of an increment";
 }
 
@@ -70,7 +70,7 @@ TEST(Stepping, TellsTurnsFromOutputsUpToRounding) {
 
 TEST(Stepping, KeepsTheSizeThatIsWantedApartFromTheOneThatIsTaken) {
   const Model model = models::block(8, contact::NegativeSide::Left);
-  StepControls controls = models::in_steps(20, {0.05 + 1e-3});
+  StepControls controls = models::in_steps(20, {0.051});
   LoadStepper stepper(model, controls);
   for (const double load : {0.05, 0.051, 0.1}) {
     ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
@@ -87,6 +87,7 @@ TEST(Stepping, KeepsTheSizeThatIsWantedApartFromTheOneThatIsTaken) {
 TEST(Stepping, HalvesWhatWasTakenAndGrowsAgainByTwo) {
   const Model model = models::block(8, contact::NegativeSide::Left);
   StepControls controls = models::in_steps(4);
+  controls.newton.max_iterations = 5;  // too few for some
   LoadStepper stepper(model, controls);
   double wanted = stepper.place().step;
   int cut = 0;
@@ -118,44 +119,6 @@ TEST(Stepping, MayCutAnIncrementToAnOutputHoweverNear) {
     EXPECT_NE(failure->place.find("increments down to 1.6e-07"), std::string::npos) << failure->place;
   else
     EXPECT_LT(stepper.state().load, 1e-5);
-}
-
-// A block is pressed and dragged there and back: what is stored comes back, and friction turns.
-Model dragged(double& turn) {
-  Model m = models::block(8, contact::NegativeSide::Left);
-  m.cracks = {{"main", {{-0.001, 0.0401}, {0.041, 0.0401}}}};
-  models::discretise(m, 1.0, 0.3, contact::NegativeSide::Left, 1e10);
-  m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {0, 0})};
-  m.prescribed[1].displacement = [&turn](const Vec2&, geometry::MaybeSide, double load) {
-    const double along = std::max(0.0, load <= turn ? (load - 0.1) / (turn - 0.1) : (1.0 - load) / (1.0 - turn));
-    return Vec2(3e-4 * along, -8e-5 * std::min(1.0, load / 0.1));
-  };
-  return m;
-}
-
-Energies work_of_drag(int steps, double accuracy, int* increments = nullptr) {
-  double turn = 0.55;
-  const Model model = dragged(turn);
-  StepControls controls = models::in_steps(steps);
-  controls.kinks = {0.1, turn};
-  controls.accuracy = accuracy;
-  LoadStepper stepper(model, controls);
-  const Loads loads = loads_of(stepper);
-  if (increments) *increments = static_cast<int>(loads.size());
-  EXPECT_NE(std::find(loads.begin(), loads.end(), turn), loads.end());
-  return stepper.state().energies;
-}
-
-TEST(Accuracy, HoldsWhereTheLoadTurnsBack) {
-  const Energies fine = work_of_drag(1600, 0.0);
-  EXPECT_GT(fine.friction_dissipation, 0.5 * fine.external_work);
-  for (const double accuracy : {1e-2, 1e-3}) {
-    int increments = 0;
-    const Energies e = work_of_drag(100, accuracy, &increments);
-    EXPECT_NEAR(e.external_work, fine.external_work, accuracy * fine.external_work);
-    EXPECT_NEAR(e.friction_dissipation, fine.friction_dissipation, accuracy * fine.friction_dissipation);
-    EXPECT_LT(increments, 60);
-  }
 }
 
 }  // namespace
