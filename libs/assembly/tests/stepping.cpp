@@ -87,7 +87,7 @@ TEST(Stepping, KeepsTheSizeThatIsWantedApartFromTheOneThatIsTaken) {
 TEST(Stepping, HalvesWhatWasTakenAndGrowsAgainByTwo) {
   const Model model = models::block(8, contact::NegativeSide::Left);
   StepControls controls = models::in_steps(4);
-  controls.newton.max_iterations = 5;  // too few for some
+  controls.newton.max_iterations = 4;  // too few for some
   LoadStepper stepper(model, controls);
   double wanted = stepper.place().step;
   int cut = 0;
@@ -112,13 +112,12 @@ TEST(Stepping, HalvesWhatWasTakenAndGrowsAgainByTwo) {
 TEST(Stepping, MayCutAnIncrementToAnOutputHoweverNear) {
   const Model model = models::block(8, contact::NegativeSide::Left);
   StepControls controls = models::in_steps(2, {1e-5});
-  controls.newton.max_iterations = 2;  // fewer than it takes
+  controls.newton.max_iterations = 0;  // nothing converges
   LoadStepper stepper(model, controls);
   const auto outcome = stepper.advance();
-  if (const auto* failure = std::get_if<Failure>(&outcome))
-    EXPECT_NE(failure->place.find("increments down to 1.6e-07"), std::string::npos) << failure->place;
-  else
-    EXPECT_LT(stepper.state().load, 1e-5);
+  ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
+  const std::string& place = std::get<Failure>(outcome).place;
+  EXPECT_TRUE(place.ends_with("increments down to 1.6e-07")) << place;  // the last one above a hundredth of the way
 }
 
 }  // namespace
