@@ -12,6 +12,7 @@ State state_at_rest(const Model& model) {
   if (!model.surfaces.hats.empty()) state.history.hats = contact::hats_at_rest(model.surfaces);
   if (model.has_memory()) state.history.plastic.resize(model.material_points());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
+  state.previous_prescribed_force = state.prescribed_force;
   return state;
 }
 

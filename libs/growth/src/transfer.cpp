@@ -87,6 +87,7 @@ State transfer(const Model& from, const State& state, const Model& to) {
   out.previous_load = state.load;
   out.progress.resize(0);
   out.prescribed_force = prescribed_force_on(from, state.prescribed_force, to);
+  out.previous_prescribed_force = out.prescribed_force;
   out.history.plastic = plastic_on(from, state.history.plastic, to);
   out.history.contact = contact_on(from, state.history.contact, to);
   return out;

@@ -121,6 +121,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.prescribed_force);
   io(s.previous_load);
   pass(io, s.previous_displacement);
+  pass(io, s.previous_prescribed_force);
   pass(io, s.progress);
   io(c.place.number);
   io(c.place.step);

@@ -39,6 +39,21 @@ TEST(Problem, AnAccuracySetsTolerancesUnlessTheyAreGiven) {
   EXPECT_EQ(controls_of({"solver.accuracy=1e-2", "solver.residual_tolerance=1e-10"}).newton.residual_tolerance, 1e-10);
 }
 
+TEST(Problem, HitsLoadsAtWhichAnAmplitudeTurns) {
+  const auto kinks_with = [](const std::vector<std::string>& overrides) {
+    return step_controls(scene_of(kBlock, overrides)).kinks;
+  };
+  EXPECT_TRUE(kinks_with({}).empty());
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0, 0], [0.3, 1], [1, 0.5]]"}), (std::vector{0.3}));
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0.1, 0], [0.7, 1]]"}), (std::vector{0.1, 0.7})) << "held outside";
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0, 0], [0.1, 0.3], [0.2, 0.6], [1, 3]]"}), std::vector<double>{})
+      << "points on a line are no turns";
+  EXPECT_EQ(kinks_with({"boundary.top.rotation={center=[0, 0], degrees=1, amplitude=[[0, 0], [0.4, 1], [1, 0]]}"}),
+            (std::vector{0.4}));
+  EXPECT_EQ(kinks_with({"traction.0.amplitude=[[0, 0], [0.6, 1]]", "gravity.amplitude=[[0, 0], [0.5, 1]]"}),
+            (std::vector{0.5, 0.6}));
+}
+
 TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
   EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }
