@@ -105,11 +105,11 @@ bool LoadStepper::shorten() {
   return place_.step >= controls_.min_step;
 }
 
-// Part of the external work that the last increment left unexplained, both over its share of the load.
+// Part of the largest energy that the last increment left unexplained, over its share of the load.
 double LoadStepper::missed_work(const Energies& before) const {
   const double missed = std::fabs(state_.energies.imbalance() - before.imbalance());
   const double share = (state_.load - state_.previous_load) / state_.load;
-  return missed / (std::fabs(state_.energies.external_work) * share + std::numeric_limits<double>::min());
+  return missed / (state_.energies.largest * share + std::numeric_limits<double>::min());
 }
 
 // After an increment that converged, which is committed already.
@@ -260,20 +260,18 @@ Step LoadStepper::commit(const Increment& increment) {
                            s.traction.tangential * s.traction.tangential / law.tangential_penalty);
       state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
     }
-    energies.friction_dissipation += weight * step.dissipation;
+    energies.friction_dissipation += weight * step.friction;
+    energies.contact_pressure_work += weight * step.pressure;
     state_.history.contact[p] = step.memory;
   }
 
   if (!model_.surfaces.hats.empty()) {
     auto& hats = state_.history.hats;
-    const double stored = contact::stored_energy(model_.surfaces, hats);
-    VecX forces = assembler_.hat_force();
-    if (hats.force.size() > 0) forces += hats.force;
-    hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
-    hats.force = assembler_.hat_force();
-    const double now = contact::stored_energy(model_.surfaces, hats);
-    energies.contact += now;
-    energies.friction_dissipation += 0.5 * forces.dot(increment.displacement - state_.displacement) - (now - stored);
+    auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
+    energies.contact += step.stored;
+    energies.friction_dissipation += step.friction;
+    energies.contact_pressure_work += step.pressure;
+    hats = std::move(step.memory);
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);
@@ -288,6 +286,7 @@ Step LoadStepper::commit(const Increment& increment) {
       0.5 *
       (dead_force(model_, load) + dead_force(model_, state_.load)).dot(increment.displacement - state_.displacement);
 
+  energies.largest = std::max(energies.largest, energies.size());
   state_.prescribed_force = prescribed;
   state_.previous_load = state_.load;
   state_.previous_displacement = std::move(state_.displacement);

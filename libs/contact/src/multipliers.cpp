@@ -25,6 +25,13 @@ Compliance compliance(const Mortar& mortar, double length, double covered) {
   return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
 }
 
+// Of what lies opposite against the face.
+double slope_of(const Surfaces& surfaces, const FacePositions& at, Index face, Index partner) {
+  if (surfaces.undeformed) return 0.0;
+  const Vec2 own = at.end[face] - at.start[face], e = at.end[partner] - at.start[partner];
+  return surfaces.faces[face].normal_sign() * e.dot(turn_left(own)) / e.dot(own);
+}
+
 bool has_hats_on_both_faces(const Surfaces& surfaces) {
   for (std::size_t c = 0; c < surfaces.mortar.size(); ++c)
     if (surfaces.mortar[c].on && surfaces.sides[c] == NegativeSide::Both) return true;
@@ -71,7 +78,7 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
           VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
           std::vector<double>(hats.intervals.size(), 1.0),
           trails_at_rest(surfaces),
-          {}};
+          std::vector<double>(hats.nodes.size(), 0.0)};
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
@@ -215,7 +222,9 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     out.by_own = c * node.length * Mat2::Identity();
     return;
   }
+  s.plastic_slip = s.slip - smooth.y();
   if (!s.supported) {
+    s.plastic_slip = 0.0;
     level(0, 0.0);
     level(1, 0.0);
     s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
@@ -269,7 +278,7 @@ Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta)
           normal, tangential};
 }
 
-HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at) const {
+HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
   const auto& hats = surfaces.hats;
   HatMemory out;
   out.multiplier.resize(2 * static_cast<Index>(nodes_.size()));
@@ -280,18 +289,49 @@ HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at
   }
   for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
   out.trails = trails_of(surfaces, at, pieces_);
+  out.slope.assign(nodes_.size(), 0.0);
+  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
+    const auto& [strip, partner, first, last] = overlaps_[o];
+    const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
+    const auto ends = hats.ends(strip);
+    for (int k = 0; k < 2; ++k)
+      out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
+  }
   return out;
 }
 
-// theory (8.5)
-double stored_energy(const Surfaces& surfaces, const HatMemory& memory) {
+// theory (8.5): half of the sum of l Z(l)
+double Multipliers::stored_energy(const Surfaces& surfaces) const {
   double out = 0.0;
   const auto& hats = surfaces.hats;
-  for (const auto& interval : hats.intervals) {
-    const Mortar& mortar = mortar_of(surfaces, hats.nodes[interval.first]);
-    const Vec2 difference =
-        memory.multiplier.segment<2>(2 * interval.first) - memory.multiplier.segment<2>(2 * interval.second);
-    out += 0.5 * mortar.smoothing * mortar.compliance * interval.length / 12.0 * difference.squaredNorm();
+  for (std::size_t e = 0; e < hats.intervals.size(); ++e) {
+    const auto& [first, second, length] = hats.intervals[e];
+    const Vec2 difference = nodes_[first].traction() - nodes_[second].traction();
+    out += 0.5 * compliance(mortar_of(surfaces, hats.nodes[first]), length, covered_[e]).value *
+           difference.squaredNorm();
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    out += 0.5 * mortar_of(surfaces, hats.nodes[i]).compliance * nodes_[i].traction().dot(nodes_[i].beyond);
+  return out;
+}
+
+double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
+  const auto& node = nodes_[i];
+  if (node.status == Status::Stick || before.status[i] == Status::Open) return 0.0;
+  const double friction = surfaces.laws[surfaces.hats.nodes[i].crack].friction;
+  const double past = before.multiplier[2 * i], past_t = before.multiplier[2 * i + 1];
+  if (node.status == Status::Slip)
+    return 0.5 * friction * (std::fabs(past) + std::fabs(node.normal)) * std::fabs(node.plastic_slip);
+  return 0.5 * std::max(0.0, past_t * node.plastic_slip);
+}
+
+// theory (8.7)
+HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
+  HatAdvance out{remembered(surfaces, at), stored_energy(surfaces)};
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
+    out.friction += friction_work(surfaces, i, before);
+    out.pressure += 0.5 * nodes_[i].slip *
+                    (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
   }
   return out;
 }

@@ -125,7 +125,7 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
       go(0.05 + 0.1 * k / increments);
       for (std::size_t p = 0; p < s.pairs.size(); ++p)
         work[p] +=
-            advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation;
+            advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
       s.commit();
     }
     each([&](std::size_t p) {
@@ -141,7 +141,7 @@ TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOn
     std::vector<double> work;
     for (std::size_t p = 0; p < s.pairs.size(); ++p)
       work.push_back(
-          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation);
+          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction);
     s.commit();
     return work;
   };
@@ -159,9 +159,9 @@ TEST_P(History, DissipationIsNeverNegativeToAndFro) {
     go(place);
     each([&](std::size_t p) {
       const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
-      EXPECT_GE(next.dissipation, 0.0);
+      EXPECT_GE(next.friction, 0.0);
       EXPECT_GE(next.memory.slip, s.memory[p].slip);
-      total += next.dissipation;
+      total += next.friction;
     });
     s.commit();
   }

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 8\n";
+constexpr char kMagic[] = "cleft checkpoint 9\n";
 
 struct Writer {
   std::string out;
@@ -106,7 +106,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
   pass(io, hats.coverage, io);
-  pass(io, hats.force);
+  pass(io, hats.slope, io);
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);
