@@ -15,6 +15,11 @@ double Energies::size() const {
   return out;
 }
 
+void Energies::end_increment(double least) {
+  largest = std::max({largest, size(), least});
+  largest_imbalance = std::max(largest_imbalance, std::fabs(imbalance()));
+}
+
 State state_at_rest(const Model& model) {
   State state;
   state.displacement = VecX::Zero(model.unknowns.components());

@@ -182,6 +182,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     const bool first_time = increment.load > place_.furthest;
     const Energies before_it = state_.energies;
     Step out = commit(increment);
+    end_account();
     lengthen(increment.iterations.size() <= kEasyIterations && cuts == 0, missed_work(before_it));
     out.is_output = is_output && first_time;
     out.cuts = cuts;
@@ -223,10 +224,19 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
     }
     // theory (10.7)
     state_.energies.released += state_.energies.imbalance() - unexplained;
+    end_account();
     out.cuts = cuts;
     out.iterations_before = iterations_before;
     return out;
   }
+}
+
+// Forces at rounding do work, too, where a body moves without strain: energies below that tell nothing.
+void LoadStepper::end_account() {
+  constexpr double kRounding = 1e4 * std::numeric_limits<double>::epsilon();
+  const auto& u = state_.displacement;
+  const double moved = u.head(2 * model_.unknowns.displacements()).cwiseAbs().maxCoeff();
+  state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);
 }
 
 Step LoadStepper::commit(const Increment& increment) {
@@ -241,6 +251,8 @@ Step LoadStepper::commit(const Increment& increment) {
   energies.viscous_dissipation += work.viscous;
   state_.history.plastic = assembler_.plastic();
   energies.contact = 0.0;
+  contact::FacePositions faces_before;
+  contact::place_faces(model_.surfaces, state_.displacement, faces_before);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
@@ -261,6 +273,9 @@ Step LoadStepper::commit(const Increment& increment) {
       state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
     }
     energies.friction_dissipation += weight * step.friction;
+    if (contact::presses(pairs_[p]) && !pairs_[p].anchored)
+      energies.friction_dissipation += weight * contact::touching_friction(model_.surfaces, faces_before,
+                                                                           assembler_.face_positions(), index, pairs_[p]);
     energies.contact_pressure_work += weight * step.pressure;
     state_.history.contact[p] = step.memory;
   }
@@ -286,7 +301,6 @@ Step LoadStepper::commit(const Increment& increment) {
       0.5 *
       (dead_force(model_, load) + dead_force(model_, state_.load)).dot(increment.displacement - state_.displacement);
 
-  energies.largest = std::max(energies.largest, energies.size());
   state_.prescribed_force = prescribed;
   state_.previous_load = state_.load;
   state_.previous_displacement = std::move(state_.displacement);

@@ -7,6 +7,8 @@
 namespace cleft::contact {
 namespace {
 
+constexpr double kTouching = 0.5;  // of the increment in which a point touches
+
 struct Place {
   Index face;
   double place;
@@ -67,7 +69,26 @@ double friction_work(const Law& law, const PairState& now, const Memory& memory)
   return mean(at_onset, strength) * beyond / law.tangential_penalty;
 }
 
+// From the point to the material point that is its partner now.
+Vec2 to_partner(const FacePositions& at, const Point& point, const Pair& pair) {
+  const Index own = point.face, other = pair.partner_face;
+  const double xi = pair.state.partner;
+  return (1.0 - xi) * at.start[other] + xi * at.end[other] -
+         ((1.0 - point.eta) * at.start[own] + point.eta * at.end[own]);
+}
+
 }  // namespace
+
+double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index p,
+                         const Pair& pair) {
+  const Point& point = surfaces.points[p];
+  const auto& face = surfaces.faces[point.face];
+  const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
+                                         : Vec2(at.end[point.face] - at.start[point.face]);
+  const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
+  const double strength = surfaces.laws[face.crack].friction * std::fabs(pair.state.traction.normal);
+  return pair.state.ramp * mean(0.0, strength) * kTouching * std::fabs(slide);
+}
 
 // theory (7.7)
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace cleft::contact {
 namespace {
@@ -11,6 +12,9 @@ constexpr double kCover = 0.25;
 
 // Of a face: places that are no further apart are the same.
 constexpr double kTie = 1e-9;
+
+constexpr double kTouching = 0.5;  // of the increment in which a node touches
+const double kStiff = std::getenv("KSTIFF") ? std::atof(std::getenv("KSTIFF")) : 1.0;
 
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
 
@@ -315,14 +319,20 @@ double Multipliers::stored_energy(const Surfaces& surfaces) const {
   return out;
 }
 
+// As in history.hpp, per node; where the springs know how stiff a point is before it slides, here it is as an element.
 double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
   const auto& node = nodes_[i];
-  if (node.status == Status::Stick || before.status[i] == Status::Open) return 0.0;
-  const double friction = surfaces.laws[surfaces.hats.nodes[i].crack].friction;
-  const double past = before.multiplier[2 * i], past_t = before.multiplier[2 * i + 1];
-  if (node.status == Status::Slip)
-    return 0.5 * friction * (std::fabs(past) + std::fabs(node.normal)) * std::fabs(node.plastic_slip);
-  return 0.5 * std::max(0.0, past_t * node.plastic_slip);
+  const auto& at = surfaces.hats.nodes[i];
+  const double friction = surfaces.laws[at.crack].friction, slip = std::fabs(node.plastic_slip);
+  const double strength = friction * std::fabs(node.normal);
+  if (before.status[i] == Status::Open) return node.status == Status::Open ? 0.0 : kTouching * 0.5 * strength * slip;
+  if (node.status == Status::Stick) return 0.0;
+  const double past = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
+  if (node.status == Status::Open) return 0.5 * std::max(0.0, past) * slip;
+  const double strength_before = friction * std::fabs(before.multiplier[2 * i]);
+  const double below = std::max(0.0, strength_before - past), beyond = kStiff * mortar_of(surfaces, at).scale * slip / at.length;
+  const double sticks = below > 0.0 ? below / (below + beyond) : 0.0;
+  return (strength + 0.5 * (1.0 - sticks) * (strength_before - strength)) * slip;
 }
 
 // theory (8.7)

@@ -57,7 +57,7 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
 }
 
 void about_energy(const Scene& scene, const assembly::Energies& e, Lines& out) {
-  const double off = std::fabs(e.imbalance()) / e.largest;
+  const double off = e.relative_imbalance();
   if (off >= kUnbalanced)
     out.push_back(fmt::format("{:.2g} % of the energy are not accounted for; {}", 100.0 * off,
                               scene.f_bar ? "with f_bar up to 6 % have been seen, beyond these smaller increments "

@@ -104,6 +104,7 @@ class LoadStepper {
   double missed_work(const Energies& before) const;
   Failure given_up(Failure failure, double load, double size) const;
   Step commit(const Increment& increment);
+  void end_account();
 
   const Model& model_;
   StepControls controls_;

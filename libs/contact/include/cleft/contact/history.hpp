@@ -28,6 +28,12 @@ struct Advance {
 /// strength, slides from there on, and no longer where it opens. The others are by the trapezoidal rule.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
 
+/// Friction, J/m^2, of a point that was open and touches at the end of an increment. When it touched is not known: half
+/// of the increment counts, over which the pressure rises from 0. The law lets the point slide freely until its first
+/// increment has ended, and so the balance of energies misses this work. `before`: positions at its beginning.
+double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index point,
+                         const Pair& pair);
+
 /// Memory of a point that carries no traction of its own (mortar contact): its anchor is its partner, and its slip what
 /// it has moved from the last one while it slid.
 Memory follow(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
