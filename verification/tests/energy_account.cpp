@@ -21,6 +21,66 @@ bool is_told(const Solved& run) {
   });
 }
 
+constexpr double kStiffness = 1e10, kPressed = 1e-3;  // N/m of a block of unit size without Poisson's effect, metres
+
+std::vector<std::string> smooth(const char* method, std::vector<std::string> more) {
+  more.insert(more.end(), {"crack.fault.friction=0", "formulation.kinematics=\"small\"", "boundary.along.ux=0",
+                           fmt::format("crack.fault.contact={{method=\"{}\"}}", method)});
+  return more;
+}
+
+TEST(EnergyAccount, MissesWhatTheTrapezoidalRuleMissesWhereFacesPartWithinAnIncrement) {
+  Case table("lift-off without friction in one increment");
+  const Solved run = solve(hard_scene("lifted", smooth("mortar", {"loading.steps=5"})));
+  const double stored = 0.5 * kStiffness * kPressed * kPressed;
+  table.compare("energy_imbalance, J/m", run.at("energy_imbalance", 1.0), exact(-stored),
+                within_part(1e-6, "uniform pressure; the iteration ends at residuals of 1e-8"));
+  table.compare("and before, J/m", run.at("energy_imbalance", 0.6), exact(0.0), within(1e-6 * stored, "all is linear"));
+  for (const double friction : run.history.column("friction_dissipation")) EXPECT_EQ(friction, 0.0);
+  EXPECT_TRUE(is_told(run));
+}
+
+TEST(EnergyAccount, IsSilentWhereFacesPartAtTheEndOfAnIncrement) {
+  for (const char* method : {"mortar", "penalty"}) {
+    const Solved run = solve(hard_scene("lifted", smooth(method, {"loading.steps=10"})));
+    for (const double friction : run.history.column("friction_dissipation")) EXPECT_EQ(friction, 0.0);
+    EXPECT_LT(run.result.energies.relative_imbalance(), 1e-6) << method;
+    EXPECT_FALSE(is_told(run)) << method;
+  }
+}
+
+TEST(EnergyAccount, IsJudgedByTheLargestEnergyThatTheRunHasHad) {
+  const Solved run = solve(hard_scene(
+      "lifted", smooth("mortar", {"loading.steps=40", "boundary.down.amplitude=[[0,0],[0.5,1],[1,0]]"})));
+  EXPECT_LT(std::fabs(run.at("external_work", 1.0)), 1e-6 * run.at("external_work", 0.5)) << "all work comes back";
+  EXPECT_FALSE(is_told(run));
+}
+
+TEST(EnergyAccount, IsSilentWhereABodyThatNothingStrainsIsMoved) {
+  const Solved run = solve(hard_scene("lifted", {"boundary.down.amplitude=[[0,0],[0.2,-1]]", "loading.steps=10"}));
+  EXPECT_LT(std::fabs(run.at("external_work", 1.0)), 1e-7) << "rounding";
+  EXPECT_FALSE(is_told(run));
+}
+
+TEST(EnergyAccount, TellsOfFrictionThatALiftOffSets) {
+  const Solved coarse = solve(hard_scene("lifted", {"boundary.down.amplitude=[[0,0],[0.2,1],[0.6,1],[0.8,-20]]"})),
+               fine = solve(hard_scene("lifted", {"boundary.down.amplitude=[[0,0],[0.2,1],[0.6,1],[0.8,-20]]",
+                                                  "loading.steps=800"}));
+  Case table("faces pressed, dragged and lifted off");
+  const double friction = fine.at("friction_dissipation", 1.0);
+  table.compare("friction, J/m", coarse.at("friction_dissipation", 1.0), prototype(friction),
+                within_part(0.01, "16 times the increments"));
+  table.compare("work missed, J/m", coarse.at("energy_imbalance", 1.0),
+                prototype(coarse.at("external_work", 1.0) - fine.at("external_work", 1.0)),
+                within_part(0.02, "16 times the increments"));
+  EXPECT_TRUE(is_told(coarse));
+  double before = 0.0;
+  for (const double now : coarse.history.column("friction_dissipation")) {
+    EXPECT_GE(now, before);
+    before = now;
+  }
+}
+
 // Factors of a load at its fifths, each of them the end of an increment.
 std::string random_amplitude(Dice& dice, double low, double high) {
   std::string out = "[[0,0]";
