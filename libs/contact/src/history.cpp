@@ -1,13 +1,15 @@
 #include "cleft/contact/history.hpp"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "cleft/contact/undeformed.hpp"
 
 namespace cleft::contact {
 namespace {
 
-constexpr double kTouching = 0.5;  // of the increment in which a point touches
+const double kSpring = std::getenv("KSPRING") ? std::atof(std::getenv("KSPRING")) : 1.0;
+const double kTouching = std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a point touches
 
 struct Place {
   Index face;
@@ -64,7 +66,7 @@ double friction_work(const Law& law, const PairState& now, const Memory& memory)
   const double beyond = std::fabs(trial) - strength;
   if (!(beyond > 0.0)) return 0.0;
   const double below = std::fmax(0.0, strength_before - std::copysign(1.0, trial) * memory.tangential);
-  const double sticks = below / (below + beyond);
+  const double sticks = below / (below + kSpring * beyond);
   const double at_onset = strength_before + sticks * (strength - strength_before);
   return mean(at_onset, strength) * beyond / law.tangential_penalty;
 }

@@ -13,7 +13,7 @@ constexpr double kCover = 0.25;
 // Of a face: places that are no further apart are the same.
 constexpr double kTie = 1e-9;
 
-constexpr double kTouching = 0.5;  // of the increment in which a node touches
+const double kTouching = std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a node touches
 const double kStiff = std::getenv("KSTIFF") ? std::atof(std::getenv("KSTIFF")) : 1.0;
 
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
