@@ -114,7 +114,8 @@ void Assembler::add_overlap(std::size_t number) {
     by += by_cover * (support_by(0) + support_by(1));
     if (!multipliers_.facing().empty()) {
       const auto& ratio = integrals.length_ratio;
-      const Vec2 own = condition.by_beyond.cwiseProduct(multipliers_.nodes()[node].traction()),
+      const auto& state = multipliers_.nodes()[node];
+      const Vec2 own = condition.by_beyond.cwiseProduct(state.traction() - state.past_mismatch),
                  other = condition.by_beyond.cwiseProduct(multipliers_.facing()[node].traction);
       by += (own - ratio.value * other) * support_by(k) - other * (integrals.value(kSupportOutput + k) * ratio.by);
     }

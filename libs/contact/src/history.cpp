@@ -43,6 +43,12 @@ Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   return walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
 }
 
+// Where a point without an anchor takes hold: without tangential gap.
+void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, Memory& memory) {
+  memory.anchor_face = pair.partner_face;
+  memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
+}
+
 double stored(double normal, double tangential, const Law& law) {
   return 0.5 * (normal * normal / law.normal_penalty + tangential * tangential / law.tangential_penalty);
 }
@@ -123,8 +129,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     out.memory.anchor_face = kNone;
     out.memory.anchor_place = 0.0;
   } else if (!pair.anchored) {
-    out.memory.anchor_face = pair.partner_face;
-    out.memory.anchor_place = now.partner;
+    take_hold(surfaces, at, p, pair, out.memory);
   } else if (now.traction.status == Status::Slip) {
     const double target = tt / law.tangential_penalty;
     const Place anchor = anchor_at(surfaces, at, p, pair, target);
@@ -142,8 +147,7 @@ Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;
   if (pair.anchored && now.traction.status == Status::Slip) next.slip += std::fabs(now.tangential_gap);
-  next.anchor_face = pair.partner_face;
-  next.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : now.partner;
+  take_hold(surfaces, at, p, pair, next);
   next.normal = now.traction.normal;
   next.tangential = now.traction.tangential;
   next.slope = now.slope;

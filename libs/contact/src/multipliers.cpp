@@ -72,7 +72,17 @@ std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<
   return out;
 }
 
-double own_part(double coverage) { return std::min(1.0, coverage / kCover); }
+// The part of an interval's past that is still there: it goes with what is covered, below kCover of the length.
+// Parts of consecutive increments multiply to that of all of them.
+struct Kept {
+  double value = 1.0, by_cover = 0.0;
+};
+
+Kept kept_of(double length, double covered, double past_coverage) {
+  const double now = covered / length, past = std::min(kCover, past_coverage);
+  if (now >= past) return {};
+  return {now / past, 1.0 / (past * length)};
+}
 
 }  // namespace
 
@@ -80,6 +90,7 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
   const auto& hats = surfaces.hats;
   return {std::vector<Status>(hats.nodes.size(), Status::Stick),
           VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
+          VecX::Zero(static_cast<Index>(hats.nodes.size())),
           std::vector<double>(hats.intervals.size(), 1.0),
           trails_at_rest(surfaces),
           std::vector<double>(hats.nodes.size(), 0.0)};
@@ -197,16 +208,19 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
     const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
     s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
-    Vec2 difference = own - nodes_[j].traction();
-    difference.y() -= own_part(memory.coverage[e]) * (memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
+    const Kept kept = s.supported ? kept_of(hats.intervals[e].length, covered_[e], memory.coverage[e]) : Kept{0.0, 0.0};
+    s.fades = s.fades || kept.by_cover > 0.0;
+    const Vec2 past(0.0, memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
+    const Vec2 difference = own - nodes_[j].traction() - kept.value * past;
     smooth += soft.value * difference;
     by_own += soft.value;
     by_neighbour[k] = -soft.value;
-    by_cover[k] = soft.by_cover * difference;
+    by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past;
   }
   const bool faces_hats = !facing_.empty() && facing_[i].overlap != kNone;
   if (faces_hats) {
-    s.beyond = s.support * own - s.reach * facing_[i].traction;
+    s.past_mismatch = {0.0, memory.mismatch[i]};
+    s.beyond = s.support * (own - s.past_mismatch) - s.reach * facing_[i].traction;
     smooth += mortar.compliance * s.beyond;
     by_own += mortar.compliance * s.support;
   }
@@ -285,11 +299,14 @@ Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta)
 HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
   const auto& hats = surfaces.hats;
   HatMemory out;
-  out.multiplier.resize(2 * static_cast<Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    out.status.push_back(nodes_[i].status);
-    out.multiplier[2 * static_cast<Index>(i)] = nodes_[i].normal;
-    out.multiplier[2 * static_cast<Index>(i) + 1] = nodes_[i].tangential;
+  const auto count = static_cast<Index>(nodes_.size());
+  out.multiplier.resize(2 * count);
+  out.mismatch = VecX::Zero(count);
+  for (Index i = 0; i < count; ++i) {
+    const NodeState& node = nodes_[i];
+    out.status.push_back(node.status);
+    out.multiplier.segment<2>(2 * i) = node.traction();
+    if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
   }
   for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
   out.trails = trails_of(surfaces, at, pieces_);
@@ -315,7 +332,8 @@ double Multipliers::stored_energy(const Surfaces& surfaces) const {
            difference.squaredNorm();
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    out += 0.5 * mortar_of(surfaces, hats.nodes[i]).compliance * nodes_[i].traction().dot(nodes_[i].beyond);
+    out += 0.5 * mortar_of(surfaces, hats.nodes[i]).compliance *
+           nodes_[i].traction().dot(nodes_[i].beyond + nodes_[i].support * nodes_[i].past_mismatch);
   return out;
 }
 

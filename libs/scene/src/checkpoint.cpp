@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 9\n";
+constexpr char kMagic[] = "cleft checkpoint 10\n";
 
 struct Writer {
   std::string out;
@@ -105,6 +105,7 @@ void pass(Io& io, Checkpoint& c) {
   auto& hats = s.history.hats;
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
+  pass(io, hats.mismatch);
   pass(io, hats.coverage, io);
   pass(io, hats.slope, io);
   pass(io, hats.trails, [&](contact::Trail& t) {

@@ -24,8 +24,10 @@
 /// what the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h
 /// its size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an
 /// interval has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then
-/// takes the tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the
-/// interval was covered then (o = 1): Z does not depend on the size of the increments.
+/// takes the tractions of its neighbour. The slip counts from the last converged state, and so do the tangential
+/// tractions in Z: where nothing moves nothing changes, however often. o is 1 but where less than cover_0 of an
+/// interval is left and it was more before: then the past goes with the covered part, so that Z does not depend on the
+/// size of the increments, and a node that has lost its support (o = 0) bears what its neighbours do.
 ///
 /// Where both faces carry hats, each with half of the weight, Z has the further part
 ///
@@ -33,7 +35,8 @@
 ///
 /// (- for the normal, + for the tangential component) with l' what the other face bears opposite the node, or, if
 /// nothing lies there, opposite the place next to it, and the integrals over what lies opposite: the faces' tractions
-/// are two unknowns for one, and where they are the same each face's mean gap vanishes.
+/// are two unknowns for one, and where they are the same each face's mean gap vanishes. Of the tangential component,
+/// too, only the change counts: that beyond the mismatch of the last converged state (the bracket over int phi_i ds).
 ///
 /// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
@@ -47,6 +50,7 @@ namespace cleft::contact {
 struct HatMemory {
   std::vector<Status> status;    ///< per node
   VecX multiplier;               ///< l_N and l_T of each node, Pa
+  VecX mismatch;                 ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
   std::vector<double> coverage;  ///< per interval, 0 to 1
   std::vector<Trail> trails;     ///< anchors
   std::vector<double> slope;     ///< per node, of what lies opposite against the face, the mean over its hat
@@ -58,10 +62,12 @@ struct NodeState {
   Status status = Status::Open;
   bool supported = false;                 ///< something lies opposite its hat
   bool leans = false;                     ///< little lies opposite one of its intervals
+  bool fades = false;                     ///< less lies opposite one of these than at the last converged state
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
   double reach = 0.0;                     ///< int phi j ds, metres; only where both faces carry hats
-  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, N/m
+  Vec2 past_mismatch = Vec2::Zero();      ///< HatMemory::mismatch, of the tangential component, Pa
+  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face and the past mismatch, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
   double plastic_slip = 0.0;              ///< S - Z, m^2: the part of the slip that no compliance gives back
   double slides = 0.0;                    ///< sign of the traction of a node that slips
