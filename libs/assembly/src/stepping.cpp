@@ -93,14 +93,13 @@ bool LoadStepper::shorten(double taken, double least) {
   return place_.step >= least;
 }
 
-// Part of its share of the external work that the last increment missed: what the energies leave unexplained or, where
+// Part of its share of the largest energy that the last increment missed: what the energies leave unexplained or, where
 // the increment before shows it, what the trapezoidal rule makes of forces that bend.
 double LoadStepper::missed_work(const State& before, bool goes_on) const {
   const double unexplained = std::fabs(state_.energies.imbalance() - before.energies.imbalance());
   const double bent = goes_on ? trapezoidal_error(model_, constraints_, before, state_) : 0.0;
   const double share = (state_.load - before.load) / state_.load;
-  return std::max(unexplained, bent) /
-         (std::fabs(state_.energies.external_work) * share + std::numeric_limits<double>::min());
+  return std::max(unexplained, bent) / (state_.energies.largest * share + std::numeric_limits<double>::min());
 }
 
 // theory (9.7): the increment that would have missed what the accuracy allows, with some caution.
@@ -120,6 +119,7 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
   std::optional<Step> out;
   if (controls_.accuracy == 0.0) {
     out = commit(increment);
+    end_account();
     lengthen(easy, planned());
     return out;
   }
@@ -127,6 +127,7 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
   const StepPlace place = place_;
   const std::vector<contact::Pair> pairs = pairs_;
   out = commit(increment);
+  end_account();
   const double missed = missed_work(before, goes_on), fits = fitting(missed);
   if (missed <= controls_.accuracy || increment.load - before.load <= kReaches * planned()) {
     lengthen(easy, fits);
@@ -149,6 +150,7 @@ double LoadStepper::cut_short(const Increment& increment) const {
 Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
   const double wanted = cut_short(increment);
   Step out = commit(increment);
+  end_account();
   const double gain = state_.load - state_.previous_load;
   if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
     place_.stretch = 0.0;
@@ -251,10 +253,19 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
     }
     // theory (10.7)
     state_.energies.released += state_.energies.imbalance() - unexplained;
+    end_account();
     out.cuts = cuts;
     out.iterations_before = iterations_before;
     return out;
   }
+}
+
+// Forces at rounding do work, too, where a body moves without strain: energies below that tell nothing.
+void LoadStepper::end_account() {
+  constexpr double kRounding = 1e4 * std::numeric_limits<double>::epsilon();
+  const auto& u = state_.displacement;
+  const double moved = u.head(2 * model_.unknowns.displacements()).cwiseAbs().maxCoeff();
+  state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);
 }
 
 Step LoadStepper::commit(const Increment& increment) {
@@ -269,6 +280,8 @@ Step LoadStepper::commit(const Increment& increment) {
   energies.viscous_dissipation += work.viscous;
   state_.history.plastic = assembler_.plastic();
   energies.contact = 0.0;
+  contact::FacePositions faces_before;
+  contact::place_faces(model_.surfaces, state_.displacement, faces_before);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
@@ -288,20 +301,21 @@ Step LoadStepper::commit(const Increment& increment) {
                            s.traction.tangential * s.traction.tangential / law.tangential_penalty);
       state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
     }
-    energies.friction_dissipation += weight * step.dissipation;
+    energies.friction_dissipation += weight * step.friction;
+    if (contact::presses(pairs_[p]) && !pairs_[p].anchored)
+      energies.friction_dissipation += weight * contact::touching_friction(model_.surfaces, faces_before,
+                                                                           assembler_.face_positions(), index, pairs_[p]);
+    energies.contact_pressure_work += weight * step.pressure;
     state_.history.contact[p] = step.memory;
   }
 
   if (!model_.surfaces.hats.empty()) {
     auto& hats = state_.history.hats;
-    const double stored = contact::stored_energy(model_.surfaces, hats);
-    VecX forces = assembler_.hat_force();
-    if (hats.force.size() > 0) forces += hats.force;
-    hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
-    hats.force = assembler_.hat_force();
-    const double now = contact::stored_energy(model_.surfaces, hats);
-    energies.contact += now;
-    energies.friction_dissipation += 0.5 * forces.dot(increment.displacement - state_.displacement) - (now - stored);
+    auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
+    energies.contact += step.stored;
+    energies.friction_dissipation += step.friction;
+    energies.contact_pressure_work += step.pressure;
+    hats = std::move(step.memory);
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 9\n";
+constexpr char kMagic[] = "cleft checkpoint 10\n";
 
 struct Writer {
   std::string out;
@@ -108,7 +108,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, hats.multiplier);
   pass(io, hats.mismatch);
   pass(io, hats.coverage, io);
-  pass(io, hats.force);
+  pass(io, hats.slope, io);
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);

@@ -15,7 +15,7 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr double kDeep = 0.1;         // elements
-constexpr double kUnbalanced = 0.01;  // of the work
+constexpr double kUnbalanced = 0.01;  // of the largest energy
 constexpr double kOscillates =
     0.15;                         // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
 constexpr double kInner = 0.8;    // of the contact, away from its ends
@@ -56,15 +56,9 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   }
 }
 
-// What takes part in the balance; large where works of both signs cancel.
-double turnover(const assembly::Energies& e) {
-  return std::max({std::fabs(e.external_work), std::fabs(e.elastic), std::fabs(e.contact),
-                   std::fabs(e.friction_dissipation), std::fabs(e.plastic_dissipation), std::fabs(e.released)});
-}
-
 void about_energy(const Scene& scene, const assembly::Energies& e, Lines& out) {
-  const double off = std::fabs(e.imbalance()) / turnover(e);
-  if (off > kUnbalanced)
+  const double off = e.relative_imbalance();
+  if (off >= kUnbalanced)
     out.push_back(fmt::format("{:.2g} % of the energy are not accounted for; {}", 100.0 * off,
                               scene.f_bar ? "with f_bar up to 6 % have been seen, beyond these smaller increments "
                                             "(loading.steps) help"
@@ -76,7 +70,7 @@ bool keeps_its_volume(const MaterialSpec& m) {
 }
 
 void about_flow(const Scene& scene, const assembly::Energies& e, Lines& out) {
-  const double share = e.plastic_dissipation / turnover(e);
+  const double share = e.plastic_dissipation / e.largest;
   if (scene.f_bar || !(share > kFlows) || std::ranges::none_of(scene.materials, keeps_its_volume)) return;
   out.push_back(
       fmt::format("{:.2g} % of the work went into flow that hardly changes the volume, in which triangles "

@@ -81,6 +81,8 @@ std::vector<std::string> history_columns(const Scene& scene) {
   for (const auto& crack : scene.cracks)
     if (crack.intensities) std::ranges::copy(intensity_columns(crack.name), std::back_inserter(columns));
   if (grows(scene)) columns.emplace_back("released_energy");
+  if (!scene.cracks.empty()) columns.emplace_back("contact_pressure_work");
+  columns.emplace_back("energy_imbalance");
   return columns;
 }
 
@@ -151,7 +153,8 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
     if (scene_.cracks[k].intensities)
       row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));
   if (grows(scene_)) row += fmt::format(",{}", e.released);
-  row += '\n';
+  if (!scene_.cracks.empty()) row += fmt::format(",{}", e.contact_pressure_work);
+  row += fmt::format(",{}\n", e.imbalance());
   logs_.at("history.csv").append(row);
   if (!step.advances.empty()) add_advances(step);
 }

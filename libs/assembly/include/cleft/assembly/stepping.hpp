@@ -115,6 +115,7 @@ class LoadStepper {
   Step commit(const Increment& increment);
   std::optional<Step> commit_if_accurate(const Increment& increment, bool easy, bool goes_on);
   Step commit_on_path(const Increment& increment, bool easy);
+  void end_account();
 
   const Model& model_;
   StepControls controls_;

@@ -53,7 +53,7 @@ struct HatMemory {
   VecX mismatch;                 ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
   std::vector<double> coverage;  ///< per interval, 0 to 1
   std::vector<Trail> trails;     ///< anchors
-  VecX force;                    ///< internal force of the hats' tractions on all components, N/m; empty at rest
+  std::vector<double> slope;     ///< per node, of what lies opposite against the face, the mean over its hat
 };
 HatMemory hats_at_rest(const Surfaces& surfaces);
 
@@ -69,6 +69,7 @@ struct NodeState {
   Vec2 past_mismatch = Vec2::Zero();      ///< HatMemory::mismatch, of the tangential component, Pa
   Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face and the past mismatch, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
+  double plastic_slip = 0.0;              ///< S - Z, m^2: the part of the slip that no compliance gives back
   double slides = 0.0;                    ///< sign of the traction of a node that slips
 
   Vec2 traction() const { return {normal, tangential}; }
@@ -94,6 +95,14 @@ struct NodeCondition {
   std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  ///< on int ds over what is covered of the two intervals
 };
 
+/// Memory of the hats, and the work of their tractions in one increment that is not stored, J/m.
+struct HatAdvance {
+  HatMemory memory;
+  double stored = 0.0;    ///< energy in Z at the end of the increment
+  double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
+  double pressure = 0.0;  ///< of the pressure along sloping faces
+};
+
 /// Tractions and conditions of all hats.
 class Multipliers {
  public:
@@ -113,8 +122,8 @@ class Multipliers {
   /// The traction at a place on a face that carries hats; without one where a node of its interval is open that side.
   Traction traction(const Surfaces& surfaces, Index face, double eta) const;
 
-  /// What the hats remember once the increment has converged.
-  HatMemory advance(const Surfaces& surfaces, const FacePositions& at) const;
+  /// What the hats remember once the increment has converged, and the work of their tractions.
+  HatAdvance advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const;
 
  private:
   void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
@@ -123,6 +132,9 @@ class Multipliers {
   Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
   void find_reached(const Surfaces& surfaces);
   void judge(const Surfaces& surfaces, Index node, const HatMemory& memory);
+  HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
+  double stored_energy(const Surfaces& surfaces) const;
+  double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;
 
   std::vector<Piece> pieces_;
   std::vector<Overlap> overlaps_;
@@ -134,8 +146,5 @@ class Multipliers {
   std::vector<double> covered_;  // per interval, metres
   std::vector<bool> reached_;    // per node: some node of its face has something opposite
 };
-
-/// Energy stored in Z at tau, J/m.
-double stored_energy(const Surfaces& surfaces, const HatMemory& hats);
 
 }  // namespace cleft::contact

@@ -35,6 +35,8 @@ inline bool presses(const Pair& pair) {
 struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres
 };
+/// At a displacement (components of all unknowns, metres).
+void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositions& out);
 
 /// Finds partners: those opposite where contact is in the undeformed configuration, else in the current one. Keeps its
 /// scratch memory between calls.
