@@ -113,8 +113,8 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   const VecX& u = body.displacement;
   const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
-    const Mat2 F = point.deformation(u);
-    return {F - Mat2::Identity(), stress_of(material, F).in_plane};
+    const Mat2 H = displacement_gradient(point, u), F = Mat2::Identity() + H;
+    return {H, stress_of(material, m.is_small_strain() ? H : F).in_plane};
   };
   auto pieces = tractions(body, ball.crack);
   if (is_closed(body, ball)) smooth(ball, pieces);

@@ -11,7 +11,7 @@ namespace {
 
 struct Registered {
   const char* name;
-  Field (*make)(const FieldSpec& spec, const constitutive::Lame& constants);
+  Field (*make)(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
   FieldLoads loads;
   bool has_sides;  // of a crack along the parameter `angle`
 };
@@ -53,8 +53,8 @@ Frame::Frame(const Vec2& at, double degrees) : origin(at) {
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
 }
 
-Field make_field(const FieldSpec& spec, const constitutive::Lame& constants) {
-  return find(spec).make(spec, constants);
+Field make_field(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin) {
+  return find(spec).make(spec, constants, origin);
 }
 
 FieldLoads loads_of(const FieldSpec& spec) { return find(spec).loads; }

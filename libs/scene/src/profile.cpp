@@ -14,7 +14,8 @@ void push(VtuArray& array, const Vec2& v) { array.values.insert(array.values.end
 }  // namespace
 
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
-  const auto& surfaces = stepper.model().surfaces;
+  const auto& model = stepper.model();
+  const auto& surfaces = model.surfaces;
   const auto& at = stepper.face_positions();
   std::vector<ProfilePoint> out;
   for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
@@ -26,8 +27,8 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
     q.crack = face.crack;
     q.side = face.side;
     q.s = blend(face.s_start, face.s_end);
-    q.reference = blend(face.reference_start, face.reference_end);
-    q.current = blend(at.start[point.face], at.end[point.face]);
+    q.reference = model.in_scene(blend(face.reference_start, face.reference_end));
+    q.current = model.in_scene(blend(at.start[point.face], at.end[point.face]));
     q.slip = stepper.state().history.contact[p].slip;
     q.gap = q.partner_s = std::numeric_limits<double>::quiet_NaN();
     if (pair.partner_face != kNone) {
@@ -83,7 +84,7 @@ VtuGrid face_grid(const assembly::Model& m, const VecX& displacement, const std:
     for (const auto& [x, stencil] :
          {std::pair{face.reference_start, face.start}, std::pair{face.reference_end, face.end}}) {
       grid.connectivity.push_back(static_cast<Index>(grid.points.size()));
-      grid.points.push_back(x);
+      grid.points.push_back(m.in_scene(x));
       push(u, stencil.displacement(displacement));
     }
     const double n = count[f] > 0.0 ? count[f] : std::numeric_limits<double>::quiet_NaN();  // the other face has them

@@ -90,7 +90,10 @@ nlohmann::ordered_json grown(const growth::Evolution& evolution) {
     const auto& tips = evolution.record().tips[c];
     auto& crack = j[evolution.model().cracks[c].name];
     crack["advances"] = std::array{tips[0].advances, tips[1].advances};
-    for (const Vec2& p : evolution.record().points[c]) crack["points"].push_back(std::array{p.x(), p.y()});
+    for (const Vec2& local : evolution.record().points[c]) {
+      const Vec2 p = evolution.model().in_scene(local);
+      crack["points"].push_back(std::array{p.x(), p.y()});
+    }
   }
   return j;
 }
@@ -146,7 +149,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
   if (scene.exact && result.end == RunResult::End::Done) {
-    const auto e = error_norms(model, make_field(*scene.exact, model.constants(0)), stepper.state().load,
+    const auto e = error_norms(model, make_field(*scene.exact, model.constants(0), model.origin), stepper.state().load,
                                stepper.state().displacement);
     j["error"] = {{"l2", e.l2},
                   {"l2_relative", e.l2 / e.l2_exact},
@@ -160,12 +163,12 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   return j;
 }
 
-std::string remark_on(const growth::Advance& a, const Scene& scene, double load) {
+std::string remark_on(const growth::Advance& a, const assembly::Model& model, double load) {
   const std::string tip =
-      fmt::format("crack '{}', {}", scene.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
+      fmt::format("crack '{}', {}", model.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
   if (a.length == 0.0) return fmt::format("{}: no advance at load {:.6g}: {}", tip, load, a.hindrance);
-  std::string out = fmt::format("{}: advance {} at load {:.6g} to ({:.6g}, {:.6g}), turned by {:.1f} degrees", tip,
-                                a.number, load, a.point.x(), a.point.y(), a.turn * 180.0 / std::numbers::pi);
+  std::string out = fmt::format("{}: advance {} at load {:.6g} to {}, turned by {:.1f} degrees", tip, a.number, load,
+                                model.words_for(a.point), a.turn * 180.0 / std::numbers::pi);
   if (a.stop == growth::Stop::Boundary) out += "; it cuts through the boundary";
   if (a.stop == growth::Stop::Hindered) out += "; no farther: " + a.hindrance;
   return out;
@@ -274,7 +277,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.energies = state().energies;
     tell(0, step.left.residual);
     if (options.remark)
-      for (const auto& advance : step.advances) options.remark(remark_on(advance, scene, step.load));
+      for (const auto& advance : step.advances) options.remark(remark_on(advance, evolution.model(), step.load));
   }
 
   for (const auto& tips : evolution.record().tips) result.advances += tips[0].advances + tips[1].advances;
