@@ -73,8 +73,11 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
   positions_.end.resize(count);
   for (Index f = 0; f < count; ++f) {
     const auto& face = surfaces.faces[f];
-    positions_.start[f] = face.reference_start + face.start.displacement(displacement);
-    positions_.end[f] = face.reference_end + face.end.displacement(displacement);
+    positions_.start[f] = face.start.displacement(displacement);
+    positions_.end[f] = face.end.displacement(displacement);
+    if (surfaces.undeformed) continue;
+    positions_.start[f] += face.reference_start;
+    positions_.end[f] += face.reference_end;
   }
   pairs.resize(surfaces.points.size());
   if (!surfaces.undeformed) return find_nearest(surfaces, memory, deepest, pairs);

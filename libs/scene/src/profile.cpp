@@ -16,7 +16,13 @@ void push(VtuArray& array, const Vec2& v) { array.values.insert(array.values.end
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
   const auto& model = stepper.model();
   const auto& surfaces = model.surfaces;
-  const auto& at = stepper.face_positions();
+  const VecX& u = stepper.state().displacement;
+  const auto start = [&](Index f) -> Vec2 {
+    return surfaces.faces[f].reference_start + surfaces.faces[f].start.displacement(u);
+  };
+  const auto end = [&](Index f) -> Vec2 {
+    return surfaces.faces[f].reference_end + surfaces.faces[f].end.displacement(u);
+  };
   std::vector<ProfilePoint> out;
   for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
     const auto& point = surfaces.points[p];
@@ -28,7 +34,7 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
     q.side = face.side;
     q.s = blend(face.s_start, face.s_end);
     q.reference = model.in_scene(blend(face.reference_start, face.reference_end));
-    q.current = model.in_scene(blend(at.start[point.face], at.end[point.face]));
+    q.current = model.in_scene(blend(start(point.face), end(point.face)));
     q.slip = stepper.state().history.contact[p].slip;
     q.gap = q.partner_s = std::numeric_limits<double>::quiet_NaN();
     if (pair.partner_face != kNone) {
@@ -41,8 +47,8 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
       q.tangential = s.ramp * s.traction.tangential;
       const double stretch = s.stretch_length / (face.reference_end - face.reference_start).norm();
       q.pressure = 0.0 - q.normal / stretch;  // of no traction 0, not -0
-      const Vec2 t = (at.end[point.face] - at.start[point.face]).normalized(), n = face.normal_sign() * turn_left(t);
-      const Vec2 t_other = (at.end[pair.partner_face] - at.start[pair.partner_face]).normalized();
+      const Vec2 t = (end(point.face) - start(point.face)).normalized(), n = face.normal_sign() * turn_left(t);
+      const Vec2 t_other = (end(pair.partner_face) - start(pair.partner_face)).normalized();
       const Vec2 n_other = other.normal_sign() * turn_left(t_other);
       q.partner_pressure = std::fabs(t.dot(t_other)) * (q.normal * n + q.tangential * t).dot(n_other) / stretch;
     }

@@ -83,6 +83,14 @@ struct Seconds {
   double cut = 0.0, write = 0.0;
 };
 
+void count(const growth::Step& step, Rounded& rounded) {
+  if (!(step.rounded > assembly::kUnnoticedResidual)) return;
+  ++rounded.increments;
+  if (step.rounded <= rounded.worst) return;
+  rounded.worst = step.rounded;
+  rounded.load = step.load;
+}
+
 // Where the cracks are that have grown, as CSV's growth.csv tells it advance by advance.
 nlohmann::ordered_json grown(const growth::Evolution& evolution) {
   nlohmann::ordered_json j;
@@ -210,6 +218,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.iterations = kept.iterations;
   result.cuts = kept.cuts;
   result.worst_residual = kept.worst_residual;
+  result.rounded = kept.rounded;
   result.load = state().load;
   result.energies = state().energies;
   const double load_before = state().load;
@@ -231,10 +240,12 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   const auto keep = [&] {
     const auto& stepper = evolution.stepper();
-    const Checkpoint now{
-        solved_json(scene), stepper.state(), stepper.place(),       stepper.assembler().room(),     evolution.record(),
-        result.iterations,  result.cuts,     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(),
-        results.outputs()};
+    const Checkpoint now{solved_json(scene),  stepper.state(),
+                         stepper.place(),     stepper.assembler().room(),
+                         evolution.record(),  result.iterations,
+                         result.cuts,         result.worst_residual,
+                         result.rounded,      kept.seconds + clock.seconds(),
+                         results.log_bytes(), results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
   if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
@@ -256,6 +267,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.iterations += static_cast<long>(step.iterations.size()) + step.iterations_before;
     result.cuts += step.cuts;
     result.worst_residual = std::max(result.worst_residual, step.left.residual);
+    count(step, result.rounded);
     auto residuals = step.iterations;
     residuals.push_back(step.left);
     if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
@@ -285,6 +297,8 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
   result.remarks = remarks_at_end(scene, evolution.stepper());
+  for (auto& remark : remarks_on_rounding(result.rounded, evolution.stepper()))
+    result.remarks.push_back(std::move(remark));
   for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));
   const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
