@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fields.hpp"
+#include "local.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -46,6 +47,10 @@ Parameters::Parameters(const FieldSpec& s, std::map<std::string, double> default
     }
     values[key] = value;
   }
+}
+
+Vec2 Parameters::place(const char* x, const char* y, const Vec2& origin) const {
+  return count_from(origin, {values.at(x), values.at(y)});
 }
 
 Frame::Frame(const Vec2& at, double degrees) : origin(at) {

@@ -12,6 +12,8 @@ struct Parameters {
 
   Parameters(const FieldSpec& s, std::map<std::string, double> defaults);
   double operator()(const char* key) const { return values.at(key); }
+  /// A place whose coordinates are two of them, counted from `origin`.
+  Vec2 place(const char* x, const char* y, const Vec2& origin) const;
 };
 
 /// A frame with its first axis turned by `degrees` against x.

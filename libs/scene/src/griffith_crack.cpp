@@ -70,7 +70,7 @@ Field closed_crack(const FieldSpec& spec, const constitutive::Lame& c, const Vec
   const double a = half_length_of(p), poisson = poisson_of(c), twice_mu = 2.0 * c.mu;
   if (p("sigma_n") > 0.0) refuse(p, "sigma_n", "tension opens the crack; allowed: 0 or less, Pa");
   if (p("friction") < 0.0) refuse(p, "friction", "not a coefficient of friction; allowed: 0 or greater");
-  const Frame frame(Vec2(p("center_x"), p("center_y")) - origin, p("angle"));
+  const Frame frame(p.place("center_x", "center_y", origin), p("angle"));
   const double normal = p("sigma_n"), shear = p("tau");
   const double carried = std::copysign(std::min(std::fabs(shear), -p("friction") * normal), shear);
   const RemoteStress transmitted{.normal = normal, .shear = carried}, excess{.shear = shear - carried};
@@ -92,7 +92,7 @@ Field open_crack(const FieldSpec& spec, const constitutive::Lame& c, const Vec2&
                             {"sigma_t", 0.0}});
   const double a = half_length_of(p), poisson = poisson_of(c), twice_mu = 2.0 * c.mu;
   if (!(p("sigma_n") > 0.0)) refuse(p, "sigma_n", "only tension opens the crack; allowed: a positive number, Pa");
-  const Frame frame(Vec2(p("center_x"), p("center_y")) - origin, p("angle"));
+  const Frame frame(p.place("center_x", "center_y", origin), p("angle"));
   const RemoteStress remote{p("sigma_t"), p("sigma_n"), p("tau")};
   return [=](const Vec2& X, geometry::MaybeSide side) -> Vec2 {
     return frame.turn * relieved(remote, a, poisson, frame.local(X), side) / twice_mu;

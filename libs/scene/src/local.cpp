@@ -1,19 +1,40 @@
 #include "local.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <limits>
+#include <string>
 
 namespace cleft::scene {
 namespace {
 
 constexpr double kFar = 8.0;  // extents of the body: nearer, its coordinates have all digits but three bits
 
-void shift(std::array<double, 4>& box, const Vec2& origin) {
-  for (int k = 0; k < 4; ++k) box[k] -= origin[k % 2];
+// Digits after the point of the shortest decimal number that reads as x.
+int decimals_of(double x) {
+  std::array<char, 512> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed);
+  const char* const point = std::find(text.data(), end, '.');
+  return point == end ? 0 : static_cast<int>(end - point) - 1;
 }
 
-void shift(std::vector<Vec2>& points, const Vec2& origin) {
-  for (Vec2& point : points) point -= origin;
+// What a coordinate is meant to be less the origin: 466002.3 less 466000 is 2.3, to which the difference of the two is
+// closer than to any other number of as few decimals. So a body is the same wherever it lies, to the last bit.
+double less(double x, double origin) {
+  return std::stod(fmt::format("{:.{}f}", x - origin, std::max(decimals_of(x), decimals_of(origin))));
+}
+
+void shift(std::array<double, 4>& box, const Vec2& origin) {
+  for (int k = 0; k < 4; ++k) box[k] = less(box[k], origin[k % 2]);
+}
+
+void shift(Vec2& place, const Vec2& origin) { place = count_from(origin, place); }
+
+void shift(std::vector<Vec2>& places, const Vec2& origin) {
+  for (Vec2& place : places) shift(place, origin);
 }
 
 void shift(StructuredMesh& mesh, const Vec2& origin) {
@@ -31,23 +52,23 @@ void shift(GmshMesh& /*the file's nodes are no part of the scene*/, const Vec2& 
 void shift(CrackSpec& crack, const Vec2& origin) {
   shift(crack.points, origin);
   if (!crack.sine) return;
-  crack.sine->start -= origin;
-  crack.sine->end -= origin;
+  shift(crack.sine->start, origin);
+  shift(crack.sine->end, origin);
 }
 
-// A box of nodes is as much wider as its decimals may be off those of the nodes.
 void shift(BoundarySpec& boundary, const Vec2& origin) {
-  if (boundary.rotation) boundary.rotation->center -= origin;
-  if (!boundary.box) return;
-  shift(*boundary.box, origin);
-  for (int k = 0; k < 4; ++k)
-    (*boundary.box)[k] += (k < 2 ? -2.0 : 2.0) * std::numeric_limits<double>::epsilon() * std::fabs(origin[k % 2]);
+  if (boundary.box) shift(*boundary.box, origin);
+  if (boundary.rotation) shift(boundary.rotation->center, origin);
 }
 
 }  // namespace
 
-// A power of two a thousand times smaller than the body divides the origin, so that it has few digits: as long as
-// coordinates are multiples of their own last bit below that power, differences from it are, too.
+Vec2 count_from(const Vec2& origin, const Vec2& place) {
+  return {less(place.x(), origin.x()), less(place.y(), origin.y())};
+}
+
+// A power of two a thousand times smaller than the body divides the origin, so that it has few digits and differences
+// from it are exact.
 Vec2 local_origin(const Vec2& low, const Vec2& high) {
   const double extent = (high - low).maxCoeff();
   if (!(std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) > kFar * extent)) return Vec2::Zero();

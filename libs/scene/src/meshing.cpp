@@ -77,7 +77,8 @@ MeshedScene make(const GmshMesh& spec, const Scene& scene) {
   auto mesh = geometry::read_gmsh(spec.file);
   const auto [low, high] = geometry::box_around(mesh);
   auto local = relative_to(local_origin(low, high), scene);
-  for (Vec2& node : mesh.nodes) node -= local.origin;
+  if (local.origin != Vec2::Zero())
+    for (Vec2& node : mesh.nodes) node = count_from(local.origin, node);
   return {std::move(local), std::move(mesh)};
 }
 

@@ -17,7 +17,7 @@ double angle_of(const Vec2& local, geometry::MaybeSide side) {
 
 Field near_tip(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin, bool opening) {
   const Parameters p(spec, {{"tip_x", 0.0}, {"tip_y", 0.0}, {"angle", 0.0}, {"K", 1e6}});
-  const Frame frame(Vec2(p("tip_x"), p("tip_y")) - origin, p("angle"));
+  const Frame frame(p.place("tip_x", "tip_y", origin), p("angle"));
   const double poisson = c.lambda / (2.0 * (c.lambda + c.mu));
   const double kappa = 3.0 - 4.0 * poisson;
   const double factor = p("K") / (2.0 * c.mu);

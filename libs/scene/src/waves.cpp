@@ -39,7 +39,7 @@ Field waves(const FieldSpec& spec, const constitutive::Lame& /*constants*/, cons
 Field parted_waves(const FieldSpec& spec, const constitutive::Lame& /*constants*/, const Vec2& origin) {
   const Parameters p(
       spec, {{"a", kAmplitude}, {"k", std::numbers::pi}, {"x", 0.0}, {"y", 0.0}, {"angle", 0.0}, {"opening", 0.1}});
-  const Frame frame(Vec2(p("x"), p("y")) - origin, p("angle"));
+  const Frame frame(p.place("x", "y", origin), p("angle"));
   const Vec2 opening = p("opening") * frame.turn.col(1);
   return [a = p("a"), phase = Phase(p("k"), origin), frame, opening](const Vec2& X, geometry::MaybeSide side) -> Vec2 {
     const bool left = side ? *side == geometry::Side::Left : frame.local(X).y() > 0.0;
