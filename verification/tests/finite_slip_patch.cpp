@@ -43,7 +43,7 @@ Mat2 homogeneous(const assembly::Material& material, const Patch& patch) {
   const Vec2 wanted(outward * patch.friction * kPressure, -kPressure);
   Mat2 F = Vec2(kStretchAlong, 1.0).asDiagonal();
   for (int k = 0; k < 30; ++k) {
-    const auto response = assembly::respond_from_rest(material, F);
+    const auto response = assembly::respond_from_rest(material, F - Mat2::Identity());
     const Mat2 slope = response.tangent.bottomRightCorner<2, 2>();
     F.col(1) -= slope.inverse() * (response.piola.col(1) - wanted);
   }

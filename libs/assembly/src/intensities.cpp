@@ -155,8 +155,9 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   const Mat2 R = turn_around(body, tip);
   const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
-    const Mat2 F = point.deformation(body.displacement);
-    return {R.transpose() * F - Mat2::Identity(), R.transpose() * respond_from_rest(material, F).piola};
+    const Mat2 H = displacement_gradient(point, body.displacement);
+    return {R.transpose() * H + (R.transpose() - Mat2::Identity()),
+            R.transpose() * respond_from_rest(material, H).piola};
   };
   auto pieces = tractions(body, ball.crack, R);
   if (is_closed(body, ball)) smooth(ball, pieces);

@@ -332,12 +332,17 @@ Step LoadStepper::commit(const Increment& increment) {
 
   state_.previous_prescribed_force = std::move(state_.prescribed_force);
   state_.prescribed_force = prescribed;
+  state_.largest_force = std::max(state_.largest_force, increment.force);
   state_.previous_load = state_.load;
   state_.previous_displacement = std::move(state_.displacement);
   state_.load = load;
   place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
-  return {.number = ++place_.number, .load = load, .iterations = increment.iterations, .left = increment.left};
+  return {.number = ++place_.number,
+          .load = load,
+          .iterations = increment.iterations,
+          .left = increment.left,
+          .rounded = increment.rounded};
 }
 
 std::vector<Vec2> LoadStepper::reactions() const {

@@ -72,8 +72,11 @@ void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositio
   out.end.resize(count);
   for (Index f = 0; f < count; ++f) {
     const auto& face = surfaces.faces[f];
-    out.start[f] = face.reference_start + face.start.displacement(displacement);
-    out.end[f] = face.reference_end + face.end.displacement(displacement);
+    out.start[f] = face.start.displacement(displacement);
+    out.end[f] = face.end.displacement(displacement);
+    if (surfaces.undeformed) continue;
+    out.start[f] += face.reference_start;
+    out.end[f] += face.reference_end;
   }
 }
 

@@ -200,8 +200,8 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
   const auto failed = [&](Failure failure) {
     std::string who;
     for (const Advance& a : out.advances)
-      who += fmt::format("{}{} to ({:.6g}, {:.6g}){}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
-                         a.point.x(), a.point.y(), a.stop == Stop::Boundary ? " through the boundary" : "");
+      who += fmt::format("{}{} to {}{}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
+                         model_->words_for(a.point), a.stop == Stop::Boundary ? " through the boundary" : "");
     failure.place = fmt::format("after growth of {}: {}", who, failure.place);
     return failure;
   };

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 10\n";
+constexpr char kMagic[] = "cleft checkpoint 11\n";
 
 struct Writer {
   std::string out;
@@ -119,6 +119,7 @@ void pass(Io& io, Checkpoint& c) {
   });
   io(s.energies);
   pass(io, s.prescribed_force);
+  io(s.largest_force);
   io(s.previous_load);
   pass(io, s.previous_displacement);
   pass(io, s.previous_prescribed_force);
@@ -132,6 +133,7 @@ void pass(Io& io, Checkpoint& c) {
   io(c.iterations);
   io(c.cuts);
   io(c.worst_residual);
+  io(c.rounded);
   io(c.seconds);
   std::vector<std::pair<std::string, std::uint64_t>> logs(c.log_bytes.begin(), c.log_bytes.end());
   pass(io, logs, [&](auto& entry) {

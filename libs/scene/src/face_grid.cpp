@@ -64,7 +64,7 @@ VtuGrid face_grid(const assembly::Model& m, const assembly::State& state, const 
     for (const auto& [x, stencil] :
          {std::pair{face.reference_start, face.start}, std::pair{face.reference_end, face.end}}) {
       grid.connectivity.push_back(static_cast<Index>(grid.points.size()));
-      grid.points.push_back(x);
+      grid.points.push_back(m.in_scene(x));
       const Vec2 v = stencil.displacement(state.displacement);
       u.values.insert(u.values.end(), {v.x(), v.y(), 0.0});
     }

@@ -78,9 +78,18 @@ double stretch_of(const enrichment::Face& face, const contact::PairState& state)
   return state.stretch_length / (face.reference_end - face.reference_start).norm();
 }
 
-Exerted exerted_by(const assembly::LoadStepper& stepper) {
+// At small strain, too, where contact only knows displacements.
+contact::FacePositions current_places(const assembly::Model& m, const VecX& displacement) {
+  contact::FacePositions out;
+  for (const auto& face : m.surfaces.faces) {
+    out.start.push_back(face.reference_start + face.start.displacement(displacement));
+    out.end.push_back(face.reference_end + face.end.displacement(displacement));
+  }
+  return out;
+}
+
+Exerted exerted_by(const assembly::LoadStepper& stepper, const contact::FacePositions& at) {
   const auto& surfaces = stepper.model().surfaces;
-  const auto& at = stepper.face_positions();
   const std::size_t count = stepper.pairs().size();
   Exerted out{std::vector<Vec2>(count, Vec2::Zero()), std::vector<Vec2>(count, Vec2::Zero())};
   for (std::size_t p = 0; p < count; ++p) {
@@ -100,10 +109,11 @@ Exerted exerted_by(const assembly::LoadStepper& stepper) {
 }  // namespace
 
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
-  const auto& surfaces = stepper.model().surfaces;
-  const auto& at = stepper.face_positions();
+  const auto& model = stepper.model();
+  const auto& surfaces = model.surfaces;
+  const auto at = current_places(model, stepper.state().displacement);
   const AlongFaces along(surfaces, stepper.pairs());
-  const Exerted exerted = exerted_by(stepper);
+  const Exerted exerted = exerted_by(stepper, at);
   std::vector<ProfilePoint> out;
   for (std::size_t p = 0; p < stepper.pairs().size(); ++p) {
     const auto& point = surfaces.points[p];
@@ -114,11 +124,11 @@ std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper) {
     q.crack = face.crack;
     q.side = face.side;
     q.s = blend(face.s_start, face.s_end);
-    q.reference = blend(face.reference_start, face.reference_end);
-    q.current = blend(at.start[point.face], at.end[point.face]);
+    q.reference = model.in_scene(blend(face.reference_start, face.reference_end));
+    q.current = model.in_scene(blend(at.start[point.face], at.end[point.face]));
     q.slip = stepper.state().history.contact[p].slip;
     q.gap = q.partner_s = std::numeric_limits<double>::quiet_NaN();
-    const contact::Jump jump = contact::jump_at(surfaces, at, point.face, point.eta);
+    const contact::Jump jump = contact::jump_at(surfaces, stepper.face_positions(), point.face, point.eta);
     q.jump_normal = jump.normal;
     q.jump_tangential = jump.tangential;
     q.opening = contact::opening_of(pair, jump);

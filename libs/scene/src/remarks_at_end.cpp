@@ -150,6 +150,24 @@ std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::Load
   return out;
 }
 
+std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper) {
+  Lines out;
+  if (rounded.increments > 0)
+    out.push_back(fmt::format(
+        "rounding ended {} of the increments, at worst at load {:.6g} with a residual of {:.1e} of the forces, which "
+        "are "
+        "known no better than that; a softer penalty or material, or displacements that move the body less as a whole",
+        rounded.increments, rounded.load, rounded.worst));
+  const double force = stepper.state().largest_force,
+               rounding = assembly::rounding_floor(stepper.model(), stepper.state().displacement).total();
+  if (force > 0.0 && force <= rounding)
+    out.push_back(
+        fmt::format("no force of this run is larger than its rounding ({:.1e} of {:.1e} N/m): the body bears nothing, "
+                    "or too little",
+                    force, rounding));
+  return out;
+}
+
 std::vector<std::string> remarks_on_growth(const Scene& scene, const growth::Record& record) {
   Lines out;
   bool may = false, did = false;

@@ -156,18 +156,20 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
   if (!scene_.cracks.empty()) row += fmt::format(",{}", e.contact_pressure_work);
   row += fmt::format(",{}\n", e.imbalance());
   logs_.at("history.csv").append(row);
-  if (!step.advances.empty()) add_advances(step);
+  if (!step.advances.empty()) add_advances(step, stepper.model());
 }
 
-void Results::add_advances(const growth::Step& step) {
+void Results::add_advances(const growth::Step& step, const assembly::Model& model) {
   std::string rows;
   double released = step.released;  // in the first row of a step, so that the column adds up
-  for (const auto& a : step.advances)
+  for (const auto& a : step.advances) {
+    const Vec2 place = model.in_scene(a.point);
     fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
-                   step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(),
+                   step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, place.x(), place.y(),
                    a.length, degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
                    a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop),
                    a.demand.elements);
+  }
   logs_.at("growth.csv").append(rows);
 }
 

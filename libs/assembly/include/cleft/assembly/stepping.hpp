@@ -34,7 +34,8 @@ struct Step {
   int cuts = 0;               ///< attempts that failed before it converged
   int iterations_before = 0;  ///< of the parts by which a body was brought into balance, and of attempts given up
   std::vector<Iteration> iterations;
-  Iteration left;  ///< residual after the last correction, with no correction of its own
+  Iteration left;        ///< residual after the last correction, with no correction of its own
+  double rounded = 0.0;  ///< where rounding ended the iteration: what it left, over the largest force so far; else 0
 };
 
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.

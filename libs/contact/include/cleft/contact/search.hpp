@@ -31,7 +31,8 @@ inline bool presses(const Pair& pair) {
   return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
 }
 
-/// Current positions of all faces' ends.
+/// Current positions of all faces' ends. In contact in the undeformed configuration only their displacements: gaps are
+/// jumps of these, and of a small one the places would take the last digits.
 struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres
 };

@@ -12,7 +12,7 @@ struct ProfilePoint {
   Index crack = kNone;
   geometry::Side side = geometry::Side::Left;
   double s = 0.0;                         ///< arc length along the crack, metres
-  Vec2 reference, current;                ///< metres
+  Vec2 reference, current;                ///< in the scene's coordinates, metres
   double gap = 0.0;                       ///< g_N, metres; nan where nothing is opposite
   double normal = 0.0, tangential = 0.0;  ///< all traction on the face, per reference area of it, Pa
   double pressure = 0.0;                  ///< Cauchy pressure, Pa, positive in compression: -normal by the stretch
@@ -28,10 +28,11 @@ struct ProfilePoint {
 /// exert, which is half of all, and what those of the other face exert opposite, per current length of theirs.
 std::vector<ProfilePoint> profile(const assembly::LoadStepper& stepper);
 
-/// Displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress, and of a plastic material the
-/// accumulated plastic strain (the sum of the multipliers), the localisation function and the angle of its minimum
-/// (degrees, of the normal of the band from the x axis); each side of a cut triangle has its own points. In the ball of
-/// a tip a part of a triangle shows its mean stress and plastic strain and its least localisation function.
+/// In the scene's coordinates: displacement, Cauchy stress (xx yy zz xy yz xz), mean and maximum principal stress, and
+/// of a plastic material the accumulated plastic strain (the sum of the multipliers), the localisation function and the
+/// angle of its minimum (degrees, of the normal of the band from the x axis); each side of a cut triangle has its own
+/// points. In the ball of a tip a part of a triangle shows its mean stress and plastic strain and its least
+/// localisation function.
 VtuGrid bulk_grid(const assembly::Model& model, const assembly::State& state);
 
 /// Extremes over the body of a plastic material at rest: 0 and 1 without memory.
