@@ -20,10 +20,9 @@ namespace {
 // Extrapolation pays only while the boundary goes on as before.
 constexpr double kSameWay = 0.5;
 
-// Whether it pays.
-bool predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
+void predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
   const double before = state.load - state.previous_load;
-  if (!(before > 0.0)) return false;
+  if (!(before > 0.0)) return;
   const VecX guess =
       state.displacement + ((load - state.load) / before) * (state.displacement - state.previous_displacement);
   double missed = 0.0, moved = 0.0;
@@ -32,9 +31,7 @@ bool predict(const State& state, const std::vector<Constraint>& constraints, con
     missed = std::max(missed, std::fabs(target[k] - guess[c]));
     moved = std::max(moved, std::fabs(target[k] - state.displacement[c]));
   }
-  const bool pays = missed <= kSameWay * moved;
-  if (pays) u = guess;
-  return pays;
+  if (missed <= kSameWay * moved) u = guess;
 }
 
 // A correction beyond this many times the body's extent and the prescribed motion comes from a matrix that is singular
@@ -175,12 +172,9 @@ RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
   return {kEpsilon * std::sqrt(bulk), kEpsilon * std::sqrt(contact)};
 }
 
-namespace {
-
-// An increment from a first guess; `guessed` becomes whether that was more than the state itself.
-Increment iterate(const Model& model, const std::vector<Constraint>& constraints, const State& state, const Goal& goal,
-                  const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
-                  const IterationObserver& observer, bool& guessed) {
+Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
+                          const Goal& goal, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
+                          const IterationObserver& observer) {
   Increment out;
   const bool along_path = goal.stretch > 0.0;
   double& load = out.load;
@@ -194,7 +188,7 @@ Increment iterate(const Model& model, const std::vector<Constraint>& constraints
   if (along_path)
     u += goal.stretch * (state.displacement - state.previous_displacement);
   else if (controls.extrapolate)
-    guessed = predict(state, constraints, target, load, u);
+    predict(state, constraints, target, load, u);
   VecX change(target.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
@@ -320,19 +314,6 @@ Increment iterate(const Model& model, const std::vector<Constraint>& constraints
     out.iterations.push_back(it);
     if (observer) observer(i + 1, it);
   }
-}
-
-}  // namespace
-
-Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
-                          const Goal& goal, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
-                          const IterationObserver& observer) {
-  bool guessed = false;
-  Increment out = iterate(model, constraints, state, goal, controls, assembler, solver, observer, guessed);
-  if (!out.failure || !guessed) return out;
-  NewtonControls from_state = controls;
-  from_state.extrapolate = false;
-  return iterate(model, constraints, state, goal, from_state, assembler, solver, observer, guessed);
 }
 
 }  // namespace cleft::assembly

@@ -68,7 +68,17 @@ double LoadStepper::next_output() const {
 
 Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {
   state_.history.duration = goal.stretch > 0.0 ? constitutive::kForever : goal.load - state_.load;
-  return solve_increment(model_, constraints_, state_, goal, controls_.newton, assembler_, solver_, observer);
+  const auto from = [&](const NewtonControls& newton) {
+    return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
+  };
+  Increment out = from(controls_.newton);
+  const bool extrapolated =
+      controls_.newton.extrapolate && goal.load > state_.load && state_.load > state_.previous_load;
+  // Where the load turns or contact changes the last increment is no guide. On a path it is the path that goes on.
+  if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
+  NewtonControls from_state = controls_.newton;
+  from_state.extrapolate = false;
+  return from(from_state);
 }
 
 Increment LoadStepper::try_load(double before, const IterationObserver& observer) {
