@@ -8,11 +8,11 @@
 
 namespace cleft::assembly {
 
-void Assembler::find_contact(const VecX& displacement, const History& history) {
+void Assembler::find_contact(const VecX& displacement, const History& history, contact::Conditions conditions) {
   const auto& s = model_.surfaces;
   search_.run(s, displacement, history.contact, history.deepest, pairs_);
   if (s.hats.empty()) return;
-  multipliers_.run(s, face_positions(), pairs_, displacement, history.hats);
+  multipliers_.run(s, face_positions(), pairs_, displacement, history.hats, conditions);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
     auto& state = pairs_[p].state;

@@ -39,7 +39,7 @@ Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.f
   if (model.has_contact()) {
     History rest{contact::memory_at_rest(model.surfaces)};
     if (!model.surfaces.hats.empty()) rest.hats = contact::hats_at_rest(model.surfaces);
-    find_contact(VecX::Zero(model.unknowns.components()), rest);
+    find_contact(VecX::Zero(model.unknowns.components()), rest, contact::Conditions::OwnState);
     make_room(rest);
   }
   build_pattern();
@@ -150,12 +150,13 @@ bool Assembler::has_room(const History& history) const {
   return true;
 }
 
-std::optional<Failure> Assembler::assemble(const VecX& displacement, const History& history) {
+std::optional<Failure> Assembler::assemble(const VecX& displacement, const History& history,
+                                           contact::Conditions conditions) {
   ++seconds_.assemblies;
   if (model_.has_contact()) {
     {
       const PhaseTimer timer(seconds_.contact);
-      find_contact(displacement, history);
+      find_contact(displacement, history, conditions);
     }
     if (!has_room(history)) {
       make_room(history);

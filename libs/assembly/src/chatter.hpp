@@ -1,4 +1,4 @@
-// Iterations that go round in circles.
+// Iterations whose contact does not settle.
 #pragma once
 
 #include <limits>
@@ -8,16 +8,31 @@
 namespace cleft::assembly {
 
 /// Contact may chatter: from the state of one iterate the linearised problem leads to that of another, and so on back
-/// to the first, however small the increment. Half a correction leaves the circle.
+/// to the first, however small the increment. Half a correction leaves the circle. Contact may also open or close like
+/// a zip, a point in each iteration: that is slow, but every state is a new one and the residual falls. Such an
+/// iteration is let go on with whole corrections.
 class Chatter {
  public:
-  /// Takes an iterate and says whether its correction is to be halved: late, while the residual has not fallen below
-  /// half of the least so far and points still change.
-  bool halves(int iteration, const Iteration& it);
+  explicit Chatter(int max_iterations) : max_iterations_(max_iterations) {}
+
+  /// Takes an iterate, and whether an earlier one had its active set.
+  void look_at(int iteration, const Iteration& it, bool again);
+  /// Whether its correction is to be halved: late, while the residual has not fallen below half of the least so far,
+  /// and points go round in circles or change without progress.
+  bool halves();
+  /// Whether there are no further corrections: unless contact still changes and the residual falls, all are made.
+  bool is_over() const;
+  /// Whether an iteration that goes well would have found its contact.
+  bool is_late() const;
   int halved() const { return halved_; }
 
  private:
+  int max_iterations_;
+  int iteration_ = 0;
+  bool circles_ = false, slow_ = false, changes_ = false;  // at the last iterate
+  int last_change_ = 0;                                    // iteration
   double least_ = std::numeric_limits<double>::infinity();
+  int since_least_ = 0;  // iterations
   int halved_ = 0;
 };
 

@@ -7,8 +7,11 @@
 #include <limits>
 #include <string>
 
+#include "active_set.hpp"
 #include "advice.hpp"
 #include "chatter.hpp"
+#include "contact_step.hpp"
+#include "loose_parts.hpp"
 #include "places.hpp"
 #include "rounding.hpp"
 
@@ -138,49 +141,6 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
   change.setZero();
 }
 
-// What every contact point and every cell was doing at the last iterate.
-struct Tally {
-  std::vector<Index> partner;
-  std::vector<contact::Status> status;
-  std::vector<Index> hats;
-  std::vector<bool> flows;
-};
-
-Index state_of(const contact::NodeState& node) {
-  return 4 * static_cast<Index>(node.status) + (node.slides > 0.0 ? 1 : 0) + (node.supported ? 2 : 0);
-}
-
-// Points of mortar contact only show what its hats do; their partners may change without a kink.
-void tally(const Model& model, const Assembler& assembler, const History& history, Tally& last, Iteration& out) {
-  const auto& pairs = assembler.pairs();
-  const bool first = last.partner.size() != pairs.size();
-  last.partner.resize(pairs.size(), kNone);
-  last.status.resize(pairs.size());
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const bool counts = !first && !model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[p].face].crack);
-    if (counts && last.partner[p] != pairs[p].partner_face) ++out.partner_changes;
-    if (counts && last.status[p] != pairs[p].state.traction.status) ++out.status_changes;
-    last.partner[p] = pairs[p].partner_face;
-    last.status[p] = pairs[p].state.traction.status;
-  }
-  const auto& hats = assembler.multipliers().nodes();
-  const bool seen = last.hats.size() == hats.size();
-  last.hats.resize(hats.size());
-  for (std::size_t i = 0; i < hats.size(); ++i) {
-    const Index state = state_of(hats[i]);
-    if (seen && last.hats[i] != state) ++out.status_changes;
-    last.hats[i] = state;
-  }
-  const auto& plastic = assembler.plastic();
-  const bool any = last.flows.size() == plastic.size();
-  last.flows.resize(plastic.size());
-  for (std::size_t c = 0; c < plastic.size(); ++c) {
-    const bool flows = plastic[c].accumulated > history.plastic[c].accumulated;
-    if (any && last.flows[c] != flows) ++out.status_changes;
-    last.flows[c] = flows;
-  }
-}
-
 }  // namespace
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
@@ -205,9 +165,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
   if (model.is_linear()) move_boundary(constraints, target, u, change);
 
-  Tally last;
-  Chatter chatter;
-  double correction = std::numeric_limits<double>::infinity();
+  ActiveSet active;
+  Chatter chatter(controls.max_iterations);
+  double correction = std::numeric_limits<double>::infinity(), moves = correction;
   double first_residual = 0.0, last_residual = std::numeric_limits<double>::infinity();
   for (int i = 0;; ++i) {
     if (along_path && !(load > 0.0)) {  // below load 0 amplitudes stay as they are: no path leads on from there
@@ -225,7 +185,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     it.assembly_seconds = seconds() - assembly_before;
-    tally(model, assembler, state.history, last, it);
+    const bool again = active.update(model, assembler, state.history, it);
 
     VecX rhs = dead - assembler.internal_force();
     double reactions = 0.0;
@@ -250,11 +210,13 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       return out;
     }
     // theory (9.2)
-    const int most = controls.max_iterations + std::min(chatter.halved(), controls.max_iterations);
+    const bool settled =
+        correction <= controls.correction_tolerance || modulus * moves <= controls.residual_tolerance * scale;
     if (in_place && i >= controls.min_iterations) {
-      const bool converged = it.residual <= controls.residual_tolerance && correction <= controls.correction_tolerance;
+      const bool converged = it.residual <= controls.residual_tolerance && settled;
       const double missing = resolution.missing(residual);
-      const bool falls = missing > kUnnoticedResidual && residual < kFalls * last_residual && i < most;
+      const bool falls =
+          missing > kUnnoticedResidual && residual < kFalls * last_residual && i < controls.max_iterations;
       if (converged || (residual <= floor && !falls)) {
         out.left = it;
         out.force = scale;
@@ -265,7 +227,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     }
     last_residual = residual;
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
-    if (i == most || (i > 3 && residual > 1e8 * (first_residual + floor))) {
+    chatter.look_at(i, it, again);
+    if (chatter.is_over() || (i > 3 && residual > 1e8 * (first_residual + floor))) {
       out.failure = Failure{FailureKind::NoConvergence, unrest(model, it, i, rhs, chatter.halved()),
                             remedy(model, chatter.halved())};
       return out;
@@ -301,23 +264,32 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const std::string lost = finite ? flew_away(model, du, factors == Factors::Regular ? kFlewAway * reach : 0.0)
                                     : "no factors, or none that are finite";
     if (factors != Factors::Regular || !lost.empty()) {
-      out.failure =
-          Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
-                  model.has_memory()
-                      ? "hardening or a lower load (the body may have reached its limit load), or prescribing more "
-                        "components (is every part of the body held?)"
-                      : "prescribing more components, or bringing the parts into contact (is every part of the body "
-                        "held?)"};
-      return out;
+      auto held = along_path || it.kept
+                      ? std::nullopt
+                      : correction_with_parts_held(model, constraints, rhs, reach, assembler.matrix(), solver);
+      if (!held) {
+        out.failure =
+            Failure{factors == Factors::Regular && !finite ? FailureKind::NotFinite : FailureKind::Singular, lost,
+                    model.has_memory()
+                        ? "hardening or a lower load (the body may have reached its limit load), or prescribing more "
+                          "components (is every part of the body held?)"
+                        : "prescribing more components, or bringing the parts into contact (is every part of the body "
+                          "held?)"};
+        return out;
+      }
+      du = std::move(*held);
     }
-    if (!along_path && in_place && chatter.halves(i, it)) {
+    if (!along_path && in_place && chatter.is_late() && active.hats_change())
+      if (auto step = contact_step(model, state.history, u, du, assembler, solver)) du = *step;
+    if (!along_path && in_place && chatter.halves()) {
       du *= 0.5;
       it.chatters = true;
     }
     u += du;
     move_boundary(constraints, target, u, change);
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();
-    correction = moved > 0.0 ? du.cwiseAbs().maxCoeff() / moved : 0.0;
+    moves = du.cwiseAbs().maxCoeff();
+    correction = moved > 0.0 ? moves / moved : 0.0;
     it.correction = correction;
     it.gradient = largest_gradient(model, du);
     it.energy = std::fabs(rhs.dot(du));

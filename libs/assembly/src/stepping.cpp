@@ -65,7 +65,15 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
   state_.history.duration = goal.stretch > 0.0 ? constitutive::kForever : goal.load - state_.load;
   NewtonControls newton = controls_.newton;
   newton.extrapolate = newton.extrapolate && !turns_at(controls_, state_.load);
-  return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
+  const auto attempt = [&] {
+    return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
+  };
+  Increment out = attempt();
+  const bool extrapolated = newton.extrapolate && goal.load > state_.load && state_.load > state_.previous_load;
+  // Where contact changes the last increment is no guide. On a path it is the path that goes on.
+  if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
+  newton.extrapolate = false;
+  return attempt();
 }
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {

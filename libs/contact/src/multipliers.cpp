@@ -97,7 +97,7 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
-                      const HatMemory& memory) {
+                      const HatMemory& memory, Conditions conditions) {
   const auto& hats = surfaces.hats;
   nodes_.assign(hats.nodes.size(), {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -111,7 +111,7 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
   if (has_hats_on_both_faces(surfaces)) face_each_other(surfaces, at);
   find_reached(surfaces);
   conditions_.assign(nodes_.size(), {});
-  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) judge(surfaces, i, memory);
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) judge(surfaces, i, memory, conditions);
 }
 
 // theory (8.2)
@@ -189,7 +189,7 @@ void Multipliers::find_reached(const Surfaces& surfaces) {
 }
 
 // theory (8.3)
-void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory) {
+void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory, Conditions conditions) {
   const auto& hats = surfaces.hats;
   const auto& node = hats.nodes[i];
   const auto& mortar = mortar_of(surfaces, node);
@@ -248,6 +248,12 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
     return;
   }
+  if (conditions == Conditions::Stick) {
+    s.status = Status::Stick;
+    level(0, s.gap);
+    level(1, s.slip);
+    return;
+  }
   const bool held = memory.status[i] != Status::Open;
   const double touch = c * surfaces.touch().length * node.length;
   const double trial = node.length * s.normal + c * (s.gap - smooth.x());
@@ -263,10 +269,10 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     out.value.y() = node.length * s.tangential;
     out.by_own(1, 1) = c * node.length;
   } else if (std::fabs(tangential) <= friction * std::max(0.0, -trial) + touch ||
-             (tangential * s.tangential < 0.0 && std::fabs(s.tangential) > -0.5 * friction * s.normal &&
-              s.normal < 0.0)) {
+             (friction > 0.0 && tangential * s.tangential < 0.0 &&
+              std::fabs(s.tangential) > -0.5 * friction * s.normal && s.normal < 0.0)) {
     // Who slides against the traction that it bears has to stick before it may slide the other way: without that nodes
-    // would jump from one sense to the other and back.
+    // would jump from one sense to the other and back. Without friction a traction is rounding and says nothing.
     s.status = Status::Stick;
     level(1, s.slip);
   } else {

@@ -38,6 +38,10 @@ double largest_poisson(const Scene& scene) {
   return out;
 }
 
+// Less smoothing than this is taken as this: where a crack has more hats than the elements along it let it open, what
+// they cannot answer to is held at nothing by it, and else it is the compliance of a ten thousandth of an element.
+constexpr double kLeastSmoothing = 1e-4;
+
 // Stiffness of mortar contact and its hats.
 void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly::Model& m) {
   auto& s = m.surfaces;
@@ -46,6 +50,7 @@ void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly:
     if (mortar.on) {
       mortar.scale = scale.empty() ? s.laws[k].normal_penalty : scale[k] / (1.0 + largest_poisson(scene));
       mortar.compliance = 1.0 / mortar.scale;
+      mortar.smoothing = std::max(mortar.smoothing, kLeastSmoothing);
       s.laws[k].normal_penalty = s.laws[k].tangential_penalty = mortar.scale;
     }
     s.mortar.push_back(mortar);

@@ -29,7 +29,8 @@ class Assembler {
 
   /// Everything at `displacement` (metres, all components), from the committed past. The matrix of a linear model is
   /// assembled once; after that only forces are. A value: the failure, if the state has no forces.
-  [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const History& history);
+  [[nodiscard]] std::optional<Failure> assemble(const VecX& displacement, const History& history,
+                                                contact::Conditions conditions = contact::Conditions::OwnState);
 
   /// N/m, bulk and contact; in the rows of multipliers what their conditions miss.
   const VecX& internal_force() const { return force_; }
@@ -69,7 +70,7 @@ class Assembler {
   void build_pattern();
   void make_room(const History& history);
   bool has_room(const History& history) const;
-  void find_contact(const VecX& displacement, const History& history);
+  void find_contact(const VecX& displacement, const History& history, contact::Conditions conditions);
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);

@@ -103,12 +103,16 @@ struct HatAdvance {
   double pressure = 0.0;  ///< of the pressure along sloping faces
 };
 
+/// Which conditions the nodes have: those of their own state, or all that have something opposite those of one that
+/// sticks.
+enum class Conditions : std::uint8_t { OwnState, Stick };
+
 /// Tractions and conditions of all hats.
 class Multipliers {
  public:
   /// At the displacements `x` (all components; the multipliers among them), with the partners of the contact points.
   void run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
-           const HatMemory& memory);
+           const HatMemory& memory, Conditions conditions = Conditions::OwnState);
 
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<Overlap>& overlaps() const { return overlaps_; }
@@ -131,7 +135,7 @@ class Multipliers {
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
   Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
   void find_reached(const Surfaces& surfaces);
-  void judge(const Surfaces& surfaces, Index node, const HatMemory& memory);
+  void judge(const Surfaces& surfaces, Index node, const HatMemory& memory, Conditions conditions);
   HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
   double stored_energy(const Surfaces& surfaces) const;
   double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;

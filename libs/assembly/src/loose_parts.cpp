@@ -1,0 +1,57 @@
+#include "loose_parts.hpp"
+
+#include <numeric>
+
+namespace cleft::assembly {
+namespace {
+
+constexpr double kSoft = 1e-6;  // of the modulus; the part's load times its inverse must be seen to be too much
+
+// Parts as trees of unknowns.
+class Parts {
+ public:
+  explicit Parts(Index unknowns) : parent_(static_cast<std::size_t>(unknowns)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  Index of(Index unknown) {
+    while (parent_[unknown] != unknown) unknown = parent_[unknown] = parent_[parent_[unknown]];
+    return unknown;
+  }
+  void join(Index a, Index b) { parent_[of(a)] = of(b); }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+}  // namespace
+
+std::vector<Index> loose_unknowns(const Model& model, const std::vector<Constraint>& constraints) {
+  const Index count = model.unknowns.displacements();
+  Parts parts(count);
+  for_each_material_point(model, [&](std::size_t, const auto& point, double) {
+    for (const Index unknown : point.unknown) parts.join(unknown, point.unknown[0]);
+  });
+  std::vector<bool> held(static_cast<std::size_t>(count), false);
+  for (const auto& constraint : constraints) held[parts.of(constraint.component / 2)] = true;
+  std::vector<Index> out;
+  for (Index unknown = 0; unknown < count; ++unknown)
+    if (!held[parts.of(unknown)]) out.push_back(unknown);
+  return out;
+}
+
+std::optional<VecX> correction_with_parts_held(const Model& model, const std::vector<Constraint>& constraints,
+                                               const VecX& rhs, double bound, BlockMatrix& matrix,
+                                               LinearSolver& solver) {
+  const auto loose = loose_unknowns(model, constraints);
+  if (loose.empty()) return std::nullopt;
+  for (const Index unknown : loose)
+    matrix.add(matrix.find(unknown, unknown), kSoft * model.stiffness() * Mat2::Identity());
+  if (solver.factorise(matrix) != Factors::Regular) return std::nullopt;
+  VecX du = solver.solve(rhs);
+  if (!du.allFinite()) return std::nullopt;
+  for (const Index unknown : loose)
+    if (du.segment<2>(2 * unknown).norm() > bound) return std::nullopt;
+  return du;
+}
+
+}  // namespace cleft::assembly
