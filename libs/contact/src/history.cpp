@@ -9,7 +9,8 @@ namespace cleft::contact {
 namespace {
 
 const double kSpring = std::getenv("KSPRING") ? std::atof(std::getenv("KSPRING")) : 1.0;
-const double kTouching = std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a point touches
+const double kTouching =
+    std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a point touches
 
 struct Place {
   Index face;
@@ -117,8 +118,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   next.ramp = now.ramp;
   next.slope = now.slope;
   Advance out{next};
-  out.pressure =
-      mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
+  out.pressure = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
   if (pair.anchored) {
     const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
     out.pressure += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) *

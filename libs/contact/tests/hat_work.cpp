@@ -19,9 +19,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
     before = hats_at_rest(s.surfaces);
   }
   // How the traction that resists a slide of the upper block to the right is counted on the face of a node.
-  double sense(std::size_t i) const {
-    return s.surfaces.hats.nodes[i].side == geometry::Side::Right ? 1.0 : -1.0;
-  }
+  double sense(std::size_t i) const { return s.surfaces.hats.nodes[i].side == geometry::Side::Right ? 1.0 : -1.0; }
   VecX tractions(double normal, double tangential) const {
     VecX out(2 * static_cast<Index>(before.status.size()));
     for (std::size_t i = 0; i < before.status.size(); ++i)
@@ -38,8 +36,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
     return now.advance(s.surfaces, s.search.positions(), before);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Sides, HatWork,
-                         testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
+INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
 
 TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   before.status.assign(before.status.size(), Status::Slip);

@@ -124,8 +124,7 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
     for (int k = 1; k <= increments; ++k) {
       go(0.05 + 0.1 * k / increments);
       for (std::size_t p = 0; p < s.pairs.size(); ++p)
-        work[p] +=
-            advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
+        work[p] += advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
       s.commit();
     }
     each([&](std::size_t p) {
