@@ -13,7 +13,8 @@ constexpr double kOperations = 16.0;
 constexpr double kStiff = 1e6;        // times the bulk's: springs at E/h have 10 to 100, those at 1e4 E/h below 1e6
 constexpr double kHidden = 1e-3;      // of the forces, by springs alone
 constexpr double kUnbalanced = 1e-2;  // of the forces
-constexpr double kResolved = 100.0;   // times their rounding: contact forces that are more than that
+constexpr double kAbove = 10.0;       // times all rounding: larger forces are none
+constexpr double kResolved = 100.0;   // times their own: contact forces that are more are none, however stiff the bulk
 
 // In units of the machine's precision: what F = 1 + H makes of the forces, whose errors are of the size eps, and what
 // the displacement gradient H does, whose own are of the size eps |u| / h. Independent errors add up in squares.
@@ -73,7 +74,8 @@ bool Resolution::hidden_by_springs() const {
 // Dead loads are what they are, and so are contact forces above their own rounding, however small a part of the bulk's
 // they are: then the bulk hides what the faces transmit.
 bool Resolution::loaded() const {
-  return forces_.dead > 0.0 || forces_.contact > kResolved * rounding_.contact || rounding_.of_stiff_springs;
+  return forces_.dead > 0.0 || forces_.contact > kResolved * rounding_.contact || rounding_.of_stiff_springs ||
+         largest_ > kAbove * rounding_.total();
 }
 
 std::optional<Failure> Resolution::refuse(const Model& model, double residual) const {

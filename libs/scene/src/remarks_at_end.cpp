@@ -21,7 +21,8 @@ constexpr double kOscillates =
 constexpr double kInner = 0.8;    // of the contact, away from its ends
 constexpr double kFlows = 0.05;   // of the work
 constexpr double kZigzag = 30.0;  // degrees
-constexpr double kDilates = 0.1;  // dilatancy below which the volume hardly changes
+constexpr double kAboveRounding = 10.0;  // times it: forces that are less may be nothing else
+constexpr double kDilates = 0.1;         // dilatancy below which the volume hardly changes
 
 void about_overlap(const assembly::LoadStepper& stepper, Lines& out) {
   const auto& surfaces = stepper.model().surfaces;
@@ -160,10 +161,10 @@ std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assem
         rounded.increments, rounded.load, rounded.worst));
   const double force = stepper.state().largest_force,
                rounding = assembly::rounding_floor(stepper.model(), stepper.state().displacement).total();
-  if (force > 0.0 && force <= rounding)
+  if (force > 0.0 && force <= kAboveRounding * rounding)
     out.push_back(
-        fmt::format("no force of this run is larger than its rounding ({:.1e} of {:.1e} N/m): the body bears nothing, "
-                    "or too little",
+        fmt::format("no force of this run, up to {:.1e} N/m, is clearly above its rounding, {:.1e} N/m: the body bears "
+                    "nothing, or too little",
                     force, rounding));
   return out;
 }
