@@ -141,6 +141,15 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
   change.setZero();
 }
 
+// Where hats still change late in an iteration: whether the correction has become the one that settles them.
+bool solve_contact(const Model& model, const History& history, const VecX& u, const Chatter& chatter,
+                   const ActiveSet& active, Assembler& assembler, LinearSolver& solver, VecX& du) {
+  if (!chatter.is_late() || !active.hats_change()) return false;
+  auto step = contact_step(model, history, u, du, assembler, solver);
+  if (step) du = std::move(*step);
+  return step.has_value();
+}
+
 }  // namespace
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
@@ -279,9 +288,8 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       }
       du = std::move(*held);
     }
-    if (!along_path && in_place && chatter.is_late() && active.hats_change())
-      if (auto step = contact_step(model, state.history, u, du, assembler, solver)) du = *step;
-    if (!along_path && in_place && chatter.halves()) {
+    if (!along_path && in_place && !solve_contact(model, state.history, u, chatter, active, assembler, solver, du) &&
+        chatter.halves()) {
       du *= 0.5;
       it.chatters = true;
     }
