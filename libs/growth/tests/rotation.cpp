@@ -84,6 +84,22 @@ INSTANTIATE_TEST_SUITE_P(All, TurnedBody,
                                          Loaded{"at_the_edge", tall_edge_crack()}),
                          [](const auto& body) { return body.param.name; });
 
+// At small strain turns add up, and one may be much larger than the strains.
+TEST(TurnedBody, HasTheSameIntensitiesAfterAnInfinitesimalTurn) {
+  auto square = inner_crack({5e-4, 5e-4});
+  square.material = constitutive::LinearElastic{constitutive::lame(1e10, 0.25)};
+  Evolution evolution(square(), bodies::in_steps(1));
+  ASSERT_FALSE(bodies::run(evolution).failure);
+  const Equilibrium body = evolution.stepper().equilibrium();
+  const auto still = intensities(body);
+  VecX u = body.displacement;
+  for (Index k = 0; k < body.model.unknowns.displacements(); ++k)
+    if (const Index node = body.model.unknowns.node_of[k]; node != kNone)
+      u.segment<2>(2 * k) += 0.1 * turn_left(body.model.mesh.nodes[node]);
+  const auto now = intensities({body.model, body.load, u, body.plastic, body.pairs});
+  for (std::size_t k = 0; k < still.size(); ++k) EXPECT_LT(distance(now[k], still[k]), 1e-9 * size(still[k]));
+}
+
 // Solved on the way through the turn, not turned afterwards.
 TEST(TurnedBody, IsSolvedToTheSameIntensities) {
   for (const bool closed : {false, true}) {
