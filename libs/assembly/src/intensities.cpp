@@ -24,21 +24,36 @@ PlaneStrain body_of(const Model& m, Index tip) {
   return {c.mu, 0.5 * c.lambda / (c.lambda + c.mu)};
 }
 
-// The rotation R of the polar decomposition of the mean deformation gradient within the reach of a tip. Whatever is
-// measured along R is that of the body before it was turned: all that follows sees R^T F - 1 and R^T P and forces R^T
-// t. At small strain turns are infinitesimal, and the integral does not see them.
-Mat2 turn_around(const Equilibrium& body, Index tip) {
+// How the body around a tip is turned. What is measured along R and less the spin is that of the body before the turn.
+struct Turn {
+  Mat2 R = Mat2::Identity();
+  Mat2 spin = Mat2::Zero();  // of small strain, where turns add up instead
+
+  // Of a displacement gradient.
+  Mat2 gradient(const Mat2& H) const { return R.transpose() * H + (R.transpose() - Mat2::Identity()) - spin; }
+};
+
+// The rotation of the polar decomposition of the mean deformation gradient within the reach of a tip, or at small
+// strain the skew part of its displacement gradient: the integral does not see that, but its quadrature does, and a
+// body may turn much more than it strains.
+Turn turn_around(const Equilibrium& body, Index tip) {
   const auto& m = body.model;
-  if (m.is_small_strain()) return Mat2::Identity();
   const auto& ball = m.cut.tips[tip];
   Mat2 sum = Mat2::Zero();
-  for (const auto& point : m.tip_points)
-    if (point.tip == tip && (point.reference - ball.frame.tip()).norm() < ball.reach)
-      sum += point.weight * point.deformation(body.displacement);
-  const Vec2 turn = Vec2(sum(0, 0) + sum(1, 1), sum(1, 0) - sum(0, 1)).normalized();
-  Mat2 R;
-  R << turn, turn_left(turn);
-  return R;
+  double area = 0.0;
+  for (const auto& point : m.tip_points) {
+    if (point.tip != tip || (point.reference - ball.frame.tip()).norm() >= ball.reach) continue;
+    sum += point.weight * displacement_gradient(point, body.displacement);
+    area += point.weight;
+  }
+  Turn out;
+  if (m.is_small_strain()) {
+    out.spin = 0.5 * (sum - sum.transpose()) / area;
+  } else {
+    const Vec2 first = Vec2(sum(0, 0) + sum(1, 1) + 2.0 * area, sum(1, 0) - sum(0, 1)).normalized();
+    out.R << first, turn_left(first);
+  }
+  return out;
 }
 
 // The tangent of a face as contact sees it.
@@ -152,12 +167,12 @@ Intensities intensities_by_integral(const Equilibrium& body, Index tip) {
   const auto& m = body.model;
   if (elements_within_reach(m, tip) < kLeastReach) return {kUnknown, kUnknown};
   const auto& ball = m.cut.tips[tip];
-  const Mat2 R = turn_around(body, tip);
+  const Turn turn = turn_around(body, tip);
+  const Mat2& R = turn.R;
   const auto& material = m.material(point_near(m, tip));
   const auto state = [&](const enrichment::TipPoint& point) -> enrichment::PointState {
     const Mat2 H = displacement_gradient(point, body.displacement);
-    return {R.transpose() * H + (R.transpose() - Mat2::Identity()),
-            R.transpose() * respond_from_rest(material, H).piola};
+    return {turn.gradient(H), R.transpose() * respond_from_rest(material, H).piola};
   };
   auto pieces = tractions(body, ball.crack, R);
   if (is_closed(body, ball)) smooth(ball, pieces);
@@ -173,7 +188,7 @@ Intensities intensities_by_faces(const Equilibrium& body, Index tip) {
   if (elements_within_reach(m, tip) < kLeastReach) return {kUnknown, kUnknown};
   const auto& ball = m.cut.tips[tip];
   const auto solid = body_of(m, tip);
-  const Vec2 ahead = turn_around(body, tip) * ball.frame.ahead(), left = turn_left(ahead);
+  const Vec2 ahead = turn_around(body, tip).R * ball.frame.ahead(), left = turn_left(ahead);
   const Side upper = ball.end == 1 ? Side::Left : Side::Right;  // the face to the left of the crack's continuation
   const VecX& u = body.displacement;
   const double nearest = std::max(kNearest * ball.radius, kBlunt * enrichment::blunting_at(m.mesh, m.unknowns, ball));

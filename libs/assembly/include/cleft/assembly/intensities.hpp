@@ -6,7 +6,7 @@
 /// deformation gradient within the reach of a tip (geometry::TipBall), the displacement gradient is R^T F - 1, the
 /// stress R^T P with the first Piola-Kirchhoff stress P, and jumps and tractions t are R^T t. P is in balance over the
 /// body at rest, over which the integral runs, and so is R^T P, since R is one for the whole tip. Where strains and
-/// turns are small both are what they are at small strain.
+/// turns are small both are what they are at small strain; there the mean infinitesimal turn is left out, too.
 #pragma once
 
 #include "cleft/assembly/equilibrium.hpp"
