@@ -41,7 +41,7 @@ constexpr double kFlewAway = 1e3;
 
 // A residual at the level of rounding that users would notice ends the iteration once it no longer falls to this part
 // of the one before: the level is but an estimate.
-constexpr double kFalls = 0.5;
+constexpr double kStillFalls = 0.5;
 
 double extent_of(const geometry::Mesh& mesh) {
   const auto [low, high] = geometry::box_around(mesh);
@@ -225,7 +225,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       const bool converged = it.residual <= controls.residual_tolerance && settled;
       const double missing = resolution.missing(residual);
       const bool falls =
-          missing > kUnnoticedResidual && residual < kFalls * last_residual && i < controls.max_iterations;
+          missing > kUnnoticedResidual && residual < kStillFalls * last_residual && i < controls.max_iterations;
       if (converged || (residual <= floor && !falls)) {
         out.left = it;
         out.force = scale;

@@ -6,7 +6,7 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kPressure = 1.0, kFriction = 0.5;
+constexpr double kPressure = 1.0, kRough = 0.5;
 
 class HatWork : public testing::TestWithParam<NegativeSide> {
  protected:
@@ -14,7 +14,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
   HatMemory before;
 
   HatWork() {
-    s.surfaces.laws[0].friction = kFriction;
+    s.surfaces.laws[0].friction = kRough;
     s.give_hats(0.25);
     before = hats_at_rest(s.surfaces);
   }
@@ -40,18 +40,18 @@ INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, Neg
 
 TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   before.status.assign(before.status.size(), Status::Slip);
-  before.multiplier = tractions(-kPressure, kFriction * kPressure);
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
   const auto steady = advanced({0.03, 0.0}, before.multiplier);
-  EXPECT_NEAR(steady.friction, kFriction * kPressure * 0.03 * 0.97, 1e-12) << "of what is still opposite";
+  EXPECT_NEAR(steady.friction, kRough * kPressure * 0.03 * 0.97, 1e-12) << "of what is still opposite";
   EXPECT_NEAR(steady.pressure, 0.0, 1e-12) << "the faces are parallel";
   EXPECT_NEAR(steady.stored, 0.0, 1e-12) << "tractions are uniform";
-  const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressure, 3.0 * kFriction * kPressure));
-  EXPECT_NEAR(harder.friction, 2.0 * kFriction * kPressure * 0.03 * 0.97, 1e-12);
+  const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressure, 3.0 * kRough * kPressure));
+  EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressure * 0.03 * 0.97, 1e-12);
 }
 
 TEST_P(HatWork, OfFacesThatStickIsNothing) {
   before.multiplier = tractions(-kPressure, 0.0);
-  const auto stick = advanced({0.0, 0.0}, tractions(-kPressure, 0.3 * kFriction));
+  const auto stick = advanced({0.0, 0.0}, tractions(-kPressure, 0.3 * kRough));
   EXPECT_EQ(stick.friction, 0.0);
   EXPECT_NEAR(stick.pressure, 0.0, 1e-12);
 }
@@ -67,9 +67,9 @@ TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
 }
 
 TEST_P(HatWork, OfFacesThatPartEndsTheSlideThatRelievesThem) {
-  before.multiplier = tractions(-kPressure, kFriction * kPressure);
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
-  EXPECT_NEAR(apart.friction, 0.5 * kFriction * kPressure * 0.02 * 0.98, 1e-12);
+  EXPECT_NEAR(apart.friction, 0.5 * kRough * kPressure * 0.02 * 0.98, 1e-12);
   EXPECT_EQ(advanced({-0.02, 0.01}, tractions(0.0, 0.0)).friction, 0.0) << "what went the other way did not slide";
 }
 

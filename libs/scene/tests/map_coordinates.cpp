@@ -60,9 +60,9 @@ std::string placed(std::string text, const Vec2& shift) {
 }
 
 const std::string kBox = "[<x:0>, <y:0>, <x:10>, <y:10>]";
-const std::string kStructured = "[mesh]\nbox = " + kBox + "\ncells = [12, 12]\n";
+const std::string kGrid = "[mesh]\nbox = " + kBox + "\ncells = [12, 12]\n";
 const std::string kRock = "[material]\nmodel = \"hencky\"\nyoung = 3.0e10\npoisson = 0.25\n";
-const std::string kCrack = "[[crack]]\nname = \"f\"\npoints = [<2.3, 2.6>, <7.1, 7.7>]\nfriction = 0.3\n";
+const std::string kFracture = "[[crack]]\nname = \"f\"\npoints = [<2.3, 2.6>, <7.1, 7.7>]\nfriction = 0.3\n";
 const std::string kHeld = "[[boundary]]\non = \"bottom\"\nuy = 0.0\n[[boundary]]\non = \"left\"\nux = 0.0\n";
 const std::string kPressed = kHeld + "[[boundary]]\non = \"top\"\nuy = -1.0e-6\n";  // a strain of 1e-7
 const std::string kSmall = "[formulation]\nkinematics = \"small\"\n";
@@ -150,7 +150,7 @@ const std::string kSprings = "contact = { method = \"penalty\" }\n";
 const std::string kSine =
     "[[crack]]\nname = \"f\"\ncurve = \"sine\"\nstart = <1.1, 5.2>\nend = <8.7, 5.4>\namplitude = 0.7\nfriction = "
     "0.2\n";
-const std::string kDelaunay =
+const std::string kTriangulated =
     "[mesh]\nkind = \"delaunay\"\noutline = [<0, 0>, <10, 0>, <10, 10>, <0, 10>]\n"
     "names = [\"bottom\", \"right\", \"top\", \"left\"]\n"
     "holes = [[<7.0, 2.0>, <8.5, 2.1>, <8.2, 3.5>]]\nsize = 1.3\ncrack_size = 0.6\n";
@@ -161,21 +161,21 @@ const std::string kLoads =
 INSTANTIATE_TEST_SUITE_P(
     Of, MapCoordinates,
     testing::Values(
-        Placed{"Mortar", kStructured + kRock + kCrack + kPressed + kTwoSteps},
-        Placed{"Springs", kStructured + kRock + kCrack + kSprings + kPressed + kTwoSteps},
-        Placed{"MortarAtSmallStrain", kStructured + kRock + kSmall + kCrack + kPressed + kTwoSteps},
-        Placed{"SpringsAtSmallStrain", kStructured + kRock + kSmall + kCrack + kSprings + kPressed + kTwoSteps},
-        Placed{"ASine", kStructured + kRock + kSine + kPressed + kTwoSteps},
-        Placed{"DelaunayWithAHole", kDelaunay + kRock + kCrack + kPressed + kTwoSteps},
-        Placed{"FocusAndLoads", kStructured + "focus = { box = [<x:3>, <y:3>, <x:7>, <y:7>] }\n" + kRock + kCrack +
+        Placed{"Mortar", kGrid + kRock + kFracture + kPressed + kTwoSteps},
+        Placed{"Springs", kGrid + kRock + kFracture + kSprings + kPressed + kTwoSteps},
+        Placed{"MortarAtSmallStrain", kGrid + kRock + kSmall + kFracture + kPressed + kTwoSteps},
+        Placed{"SpringsAtSmallStrain", kGrid + kRock + kSmall + kFracture + kSprings + kPressed + kTwoSteps},
+        Placed{"ASine", kGrid + kRock + kSine + kPressed + kTwoSteps},
+        Placed{"DelaunayWithAHole", kTriangulated + kRock + kFracture + kPressed + kTwoSteps},
+        Placed{"FocusAndLoads", kGrid + "focus = { box = [<x:3>, <y:3>, <x:7>, <y:7>] }\n" + kRock + kFracture +
                                     kPressed + kLoads + kTwoSteps},
-        Placed{"BoxesOfNodes", kStructured + kRock + kCrack +
+        Placed{"BoxesOfNodes", kGrid + kRock + kFracture +
                                    "[[boundary]]\nbox = [<x:0>, <y:0>, <x:10>, <y:0>]\nux = 0.0\nuy = 0.0\n"
                                    "[[boundary]]\nbox = [<x:0>, <y:10>, <x:10>, <y:10>]\nuy = -1e-6\n" +
                                    kTwoSteps},
-        Placed{"Intensities", kStructured + kRock + "[formulation]\nkinematics = \"small\"\ntip_enrichment = 1.5\n" +
-                                  kCrack + "intensities = true\n" + kPressed + kTwoSteps},
-        Placed{"AField", kStructured + kRock + "[formulation]\nkinematics = \"small\"\ntip_enrichment = 1.5\n" +
+        Placed{"Intensities", kGrid + kRock + "[formulation]\nkinematics = \"small\"\ntip_enrichment = 1.5\n" +
+                                  kFracture + "intensities = true\n" + kPressed + kTwoSteps},
+        Placed{"AField", kGrid + kRock + "[formulation]\nkinematics = \"small\"\ntip_enrichment = 1.5\n" +
                              "[[crack]]\nname = \"f\"\npoints = [<3.3, 5.1>, <6.9, 5.1>]\n" +
                              [] {
                                std::string out;
@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "half_length = 1.8, sigma_n = 3000.0 }\n" +
                              kTwoSteps},
         Placed{"ATurnAboutTheBody",
-               kStructured + kRock + kCrack +
+               kGrid + kRock + kFracture +
                    "[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\nrotation = { center = <4, 3>, "
                    "degrees = 20.0 }\n"
                    "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -1.0e-3\nrotation = { center = <4, 3>, "
@@ -250,7 +250,7 @@ TEST(MapCoordinatesOfGrowth, ResumeBitForBit) {
 
 // A scene that lies whole metres away is the same to the last bit, whatever its decimals.
 TEST(MapCoordinatesOfWholeMetres, GiveTheSameBits) {
-  const std::string text = kStructured + kRock + kCrack + kPressed + kTwoSteps;
+  const std::string text = kGrid + kRock + kFracture + kPressed + kTwoSteps;
   const Folder folder;
   for (const auto& [name, shift] : {std::pair{"local", Vec2(0.0, 0.0)},
                                     {"powers", Vec2(524288.0, -4194304.0)},
@@ -264,7 +264,7 @@ TEST(MapCoordinatesOfWholeMetres, GiveTheSameBits) {
 // u = A X counts from the scene's origin: far from it that moves the body by A X as a whole.
 TEST(MapCoordinatesOfAnAffineDisplacement, CountFromTheScenesOrigin) {
   const std::string text =
-      kStructured + kRock + kSmall + "[[crack]]\nname = \"f\"\npoints = [<2.3, 2.6>, <7.1, 7.7>]\n" +
+      kGrid + kRock + kSmall + "[[crack]]\nname = \"f\"\npoints = [<2.3, 2.6>, <7.1, 7.7>]\n" +
       [] {
         std::string out;
         for (const char* side : {"left", "right", "bottom", "top"})
@@ -287,7 +287,7 @@ TEST(MapCoordinatesOfAnAffineDisplacement, CountFromTheScenesOrigin) {
 
 TEST(MapCoordinatesOfAMeshFile, ChangeNothing) {
   const Folder folder;
-  const auto mesh = build_model(scene_of(placed(kStructured + kRock + kHeld, {0.0, 0.0}))).mesh;
+  const auto mesh = build_model(scene_of(placed(kGrid + kRock + kHeld, {0.0, 0.0}))).mesh;
   const auto write = [&](const std::string& file, const Vec2& shift) {
     std::string out = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n";
     out += fmt::format("{}\n", mesh.boundaries.size());
@@ -309,7 +309,7 @@ TEST(MapCoordinatesOfAMeshFile, ChangeNothing) {
   for (const auto& [name, shift] : {std::pair{"local", Vec2(0.0, 0.0)}, {"map", kMap}}) {
     write(fmt::format("{}.msh", name), shift);
     const std::string text = fmt::format("[mesh]\nkind = \"gmsh\"\nfile = \"{}.msh\"\n", name) + kRock +
-                             placed(kCrack, shift) + kPressed + kTwoSteps;
+                             placed(kFracture, shift) + kPressed + kTwoSteps;
     const Scene scene = read_scene(folder.write(fmt::format("{}.toml", name), text));
     ASSERT_EQ(run(scene, into(folder / name)).end, RunResult::End::Done);
   }
@@ -334,14 +334,14 @@ TEST(MapCoordinatesOfFields, CountFromTheScenesOrigin) {
 
 TEST(MapCoordinatesInMessages, HaveTheDigitsThatTellPlacesApart) {
   const std::string text =
-      placed(kStructured + kRock + kCrack + kHeld + "[[boundary]]\non = \"right\"\nuy = 1e-3\n", kMap);
+      placed(kGrid + kRock + kFracture + kHeld + "[[boundary]]\non = \"right\"\nuy = 1e-3\n", kMap);
   try {
     (void)build_model(scene_of(text));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(error.problem().find("at the node (466010, 6692000)"), std::string::npos) << error.problem();
   }
-  const Scene scene = scene_of(placed(kStructured + kRock + kCrack + kPressed, kMap));
+  const Scene scene = scene_of(placed(kGrid + kRock + kFracture + kPressed, kMap));
   EXPECT_NE(remarks(scene, build_model(scene)).front().find("(466002.3, 6692002.6)"), std::string::npos);
 }
 

@@ -78,7 +78,7 @@ TEST(Reactions, OfAUniformStressAreThoseOfEverySideByItself) {
 }
 
 // Left and right keep the width, the bottom holds all, the top presses: corners have two masters.
-const std::string kLeft = boundary("left", "ux = 0.0"), kRight = boundary("right", "ux = 0.0"),
+const std::string kHeldLeft = boundary("left", "ux = 0.0"), kRight = boundary("right", "ux = 0.0"),
                   kBottom = boundary("bottom", "ux = 0.0\nuy = 0.0"), kTop = boundary("top", "ux = 0.0\nuy = -0.004");
 const std::string kCrack = R"([[crack]]
 name = "main"
@@ -91,15 +91,15 @@ TEST(Reactions, DoNotDependOnTheOrderOfTheBoundaries) {
                                    std::string("[[crack]]\nname = \"corner\"\npoints = [[0.0, "
                                                "0.005], [0.004, 0.0]]\n")}) {
     SCOPED_TRACE(crack);
-    const Forces one = reactions(scene_of(body(kLeft + kRight + kBottom + kTop + crack)));
-    const Forces other = reactions(scene_of(body(kTop + kBottom + kRight + kLeft + crack)));
+    const Forces one = reactions(scene_of(body(kHeldLeft + kRight + kBottom + kTop + crack)));
+    const Forces other = reactions(scene_of(body(kTop + kBottom + kRight + kHeldLeft + crack)));
     for (const auto& [name, force] : one) EXPECT_LT((force - other.at(name)).norm(), 1e-6) << name;  // of 1e7 N/m
     EXPECT_LT(sum(one).norm(), 1e-3) << "nothing else acts on the body";
   }
 }
 
 TEST(Reactions, OfASymmetricSceneAreSymmetric) {
-  const Forces forces = reactions(scene_of(body(kLeft + kBottom + kTop + kRight)));
+  const Forces forces = reactions(scene_of(body(kHeldLeft + kBottom + kTop + kRight)));
   const double size = forces.at("right").norm();
   EXPECT_GT(size, 1e6);
   EXPECT_NEAR(forces.at("left").x(), -forces.at("right").x(), 1e-9 * size);

@@ -24,7 +24,7 @@ namespace {
 
 using scene::Quantity;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndetermined = std::numeric_limits<double>::quiet_NaN();
 
 // One run that is asked for: the scene and how the program is told of it.
 struct Task {
@@ -142,17 +142,17 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
     value.push_back(runs[i].value[quantity]);
   }
   const bool is_value = q.kind == Quantity::Kind::History;
-  out.from_finest.assign(h.size(), kNaN);
+  out.from_finest.assign(h.size(), kUndetermined);
   if (is_value && !value.empty()) out.from_finest = from_last(value);
   options.limit = is_value ? q.exact : std::optional(0.0);
   if (h.size() < 2) {
     out.fit.remark = "too few meshes";
-    out.fit.limit = out.fit.order = kNaN;
+    out.fit.limit = out.fit.order = kUndetermined;
   } else {
     out.fit = fit_limit(h, value, options);
   }
   out.has_errors = options.limit || out.fit.determined;
-  for (const double v : value) out.error.push_back(out.has_errors ? std::fabs(v - out.fit.limit) : kNaN);
+  for (const double v : value) out.error.push_back(out.has_errors ? std::fabs(v - out.fit.limit) : kUndetermined);
   if (is_value && out.has_errors && std::isfinite(out.fit.limit) && out.fit.limit != 0.0)
     out.scale = std::fabs(out.fit.limit);
   return out;
