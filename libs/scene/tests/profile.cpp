@@ -17,7 +17,7 @@ namespace {
 using geometry::Side;
 
 const Vec2 kStart(0.0, 0.43), kEnd(1.0, 0.61);
-const Vec2 kTangent = (kEnd - kStart).normalized(), kNormal = turn_left(kTangent);
+const Vec2 kAlongCrack = (kEnd - kStart).normalized(), kAcrossCrack = turn_left(kAlongCrack);
 
 // A square that a slanted crack parts.
 std::string square(const std::string& side, const std::string& contact, bool reversed = false,
@@ -38,7 +38,7 @@ class TwoBodies {
  public:
   TwoBodies(const Scene& scene, const Motion& upper, const Motion& lower) : model(build_model(scene)) {
     const Vec2 first = model.cracks[0].points.front(), last = model.cracks[0].points.back();
-    const double forward = (last - first).dot(kTangent);
+    const double forward = (last - first).dot(kAlongCrack);
     assembly::Prescribed above{"above", {}, {true, true}, {}}, below{"below", {}, {true, true}, {}};
     for (Index q = 0; q < model.unknowns.displacements(); ++q) {
       const Vec2& X = model.mesh.nodes[model.unknowns.node_of[q]];
@@ -70,7 +70,7 @@ class TwoBodies {
 };
 
 Motion shifted(double along, double left) {
-  return [=](const Vec2& X, double load) -> Vec2 { return X + load * (along * kTangent + left * kNormal); };
+  return [=](const Vec2& X, double load) -> Vec2 { return X + load * (along * kAlongCrack + left * kAcrossCrack); };
 }
 Motion at_rest() { return shifted(0.0, 0.0); }
 
@@ -143,9 +143,9 @@ TEST(Pressure, OfSpringsOnBothFacesIsWhatBothExertOnEither) {
   constexpr double kUpper = 1.3, kLower = 0.8, kDeep = 1e-3, kSlide = 0.25;
   const auto stretched = [](double stretch, double along, double left) -> Motion {
     return [=](const Vec2& X, double load) -> Vec2 {
-      const Vec2 from = X - kStart, across = from.dot(kNormal) * kNormal;
+      const Vec2 from = X - kStart, across = from.dot(kAcrossCrack) * kAcrossCrack;
       const double now = 1.0 + (stretch - 1.0) * load;
-      return kStart + (now * from.dot(kTangent) + load * along) * kTangent + across + load * left * kNormal;
+      return kStart + (now * from.dot(kAlongCrack) + load * along) * kAlongCrack + across + load * left * kAcrossCrack;
     };
   };
   for (const bool turn : {false, true}) {
@@ -156,7 +156,7 @@ TEST(Pressure, OfSpringsOnBothFacesIsWhatBothExertOnEither) {
     const double pressure = 0.5 * penalty * kDeep * (1.0 / kUpper + 1.0 / kLower);
     int both[2] = {0, 0};
     for (const auto& q : bodies.points()) {
-      const double x = (q.reference - kStart).dot(kTangent), length = (kEnd - kStart).norm();
+      const double x = (q.reference - kStart).dot(kAlongCrack), length = (kEnd - kStart).norm();
       const bool upper_face = q.side == Side::Left;
       const double now = upper_face ? kUpper * x + kSlide
                                     : kLower * x;  // opposite the other face, but for shares that its ends divide
@@ -171,7 +171,7 @@ TEST(Pressure, OfSpringsOnBothFacesIsWhatBothExertOnEither) {
     EXPECT_GE(both[0], 3);
     EXPECT_GE(both[1], 3);
     // the whole force is that pressure over the length of both that is pressed
-    const Vec2 force = bodies.stepper->reactions()[0], normal = turn ? turn_left(kNormal) : kNormal;
+    const Vec2 force = bodies.stepper->reactions()[0], normal = turn ? turn_left(kAcrossCrack) : kAcrossCrack;
     const double pressed = kLower * (kEnd - kStart).norm() - kSlide;
     EXPECT_NEAR(std::fabs(force.dot(normal)), pressure * pressed, 1e-6 * pressure * pressed);
   }
