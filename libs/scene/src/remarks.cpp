@@ -133,8 +133,8 @@ void about_crack(const Scene& scene, const assembly::Model& model, const Outline
   const std::string crack = "crack '" + spec.name + "'";
   const auto& ends = model.cut.cracks[k].ends;
   for (const auto& end : ends) about_moved_end(model, crack, end, out);
-  for (const auto& end : ends)
-    about_tip(model, outline, crack, end, scene.tip_enrichment, asks_for_intensities(spec), out);
+  for (const int e : {0, 1})
+    about_tip(model, outline, crack, ends[e], scene.tip_enrichment, asks_for_intensities(spec, e), out);
   double within = 0.0;
   for (Index s = model.cut.cracks[k].first_segment; s < model.cut.cracks[k].last_segment; ++s)
     within += model.cut.segments[s].s_end - model.cut.segments[s].s_start;

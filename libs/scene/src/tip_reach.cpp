@@ -31,10 +31,12 @@ void refuse_narrow(const Scene& scene, const assembly::Model& m, Index tip) {
 }
 
 void refuse_short_advances(const Scene& scene, const assembly::Model& m, Index tip) {
-  const Index c = m.cut.tips[tip].crack;
-  const auto& crack = scene.cracks[c];
-  if (!grows_by_intensities(crack) || crack.growth->advance >= assembly::least_reach(m, tip)) return;
-  throw InputError(crack.growth_at, fmt::format("crack[{}].growth.advance", c),
+  const TipBall& ball = m.cut.tips[tip];
+  const auto& crack = scene.cracks[ball.crack];
+  if (!grows_by_intensities(crack) || !crack.growth->tips[ball.end] ||
+      crack.growth->advance >= assembly::least_reach(m, tip))
+    return;
+  throw InputError(crack.growth_at, fmt::format("crack[{}].growth.advance", ball.crack),
                    fmt::format("after an advance the crack bends, and stress intensity factors are taken up to the "
                                "bend; allowed: at least half an element size, {:.3g} m",
                                assembly::least_reach(m, tip)));
@@ -84,11 +86,13 @@ std::string reach_remark(const Scene& scene, const assembly::Model& m, Index tip
 
 }  // namespace
 
-bool asks_for_intensities(const CrackSpec& crack) { return crack.intensities || grows_by_intensities(crack); }
+bool asks_for_intensities(const CrackSpec& crack, int end) {
+  return crack.intensities || (grows_by_intensities(crack) && crack.growth->tips[end]);
+}
 
 void refuse_narrow_tips(const Scene& scene, const assembly::Model& m) {
   for (Index tip = 0; tip < static_cast<Index>(m.cut.tips.size()); ++tip) {
-    if (!asks_for_intensities(scene.cracks[m.cut.tips[tip].crack])) continue;
+    if (!asks_for_intensities(scene.cracks[m.cut.tips[tip].crack], m.cut.tips[tip].end)) continue;
     refuse_narrow(scene, m, tip);
     refuse_short_advances(scene, m, tip);
     refuse_held_nodes(scene, m, tip);
@@ -99,7 +103,7 @@ std::vector<std::string> remarks_on_reach(const Scene& scene, const assembly::Mo
   std::vector<std::string> out;
   for (Index tip = 0; tip < static_cast<Index>(m.cut.tips.size()); ++tip) {
     const TipBall& ball = m.cut.tips[tip];
-    if (!asks_for_intensities(scene.cracks[ball.crack])) continue;
+    if (!asks_for_intensities(scene.cracks[ball.crack], ball.end)) continue;
     if (expected_error(m, tip) > kSoundError || (all && ball.reach < ball.radius))
       out.push_back(reach_remark(scene, m, tip));
   }

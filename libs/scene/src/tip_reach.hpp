@@ -9,8 +9,8 @@
 
 namespace cleft::scene {
 
-/// Whether the stress intensity factors of a crack's tips are asked for.
-bool asks_for_intensities(const CrackSpec& crack);
+/// Whether the stress intensity factors of a crack's first (0) or last (1) tip are asked for.
+bool asks_for_intensities(const CrackSpec& crack, int end);
 
 /// Throws InputError, located in the scene, where intensities are asked for and a tip has none to tell: less than half
 /// an element size within its reach, advances shorter than that (after which the crack bends), or a boundary condition

@@ -124,6 +124,11 @@ TEST(Problem, RefusesIntensitiesWhereATipHasNone) {
             "element sizes, the body ends; allowed: at least half an element size, 0.0312 m");
   EXPECT_EQ(refusal("[0.6, 0.43]", "[0.6, 0.43], [0.62, 0.44]").find("crack[0] 'main': its stress intensity"), 0U);
   EXPECT_EQ(refusal(ask, growth + "0.04 }\n"), "accepted");
+  for (const auto& [tips, accepted] : {std::pair{"end", true}, {"start", false}, {"both", false}})
+    EXPECT_EQ(refusal("[0, 0.43], [0.6, 0.43]]\n" + ask,
+                      "[0.02, 0.43], [0.6, 0.43]]\n" + growth + "0.04, tips = \"" + tips + "\" }\n") == "accepted",
+              accepted)
+        << tips << ": only they need intensities";
   EXPECT_EQ(refusal(ask, growth + "0.03 }\n").find("crack[0].growth.advance: after an advance the crack bends"), 0U);
   EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.87, 0.43, 0.88, 0.44]\n[[boundary]]\n"), "accepted");
   EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.62, 0.43, 0.63, 0.44]\n[[boundary]]\n")
