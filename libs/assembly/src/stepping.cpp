@@ -78,7 +78,8 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
   if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
   NewtonControls from_state = controls_.newton;
   from_state.extrapolate = false;
-  return from(from_state);
+  Increment again = from(from_state);
+  return again.failure ? out : again;
 }
 
 Increment LoadStepper::try_load(double before, const IterationObserver& observer) {
