@@ -15,7 +15,7 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int min_iterations = 0;              ///< corrections made even if the residual is small already
-  int max_iterations = 12;             ///< up to twice as many where contact points chatter
+  int max_iterations = 12;             ///< twice as many where contact chatters, eight times where it opens like a zip
   bool extrapolate = true;             ///< start from the last increment continued
 };
 
@@ -55,8 +55,11 @@ using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
 /// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
 /// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces. The last correction is made with the factors of the one before if these suffice. Where points or
-/// hats still change late in the iteration and the residual does not fall (chatter), corrections are halved.
+/// hides the forces. A correction that the stiffness turns into forces below the residual's tolerance is small, too: in
+/// a hold there is no displacement to compare it with. The last correction is made with the factors of the one before
+/// if these suffice. Where hats still change late in the iteration the correction solves their contact exactly, with
+/// all else linear; where points return to an active set and the residual does not fall (chatter), corrections are
+/// halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
