@@ -15,7 +15,7 @@ void Chatter::look_at(int iteration, const Iteration& it, bool again) {
   circles_ = again;
   slow_ = it.residual > kSlow * least_;
   changes_ = it.status_changes + it.partner_changes > 0;
-  if (changes_) last_change_ = iteration;
+  since_late_change_ = changes_ && is_late() ? 0 : since_late_change_ + 1;
   since_least_ = it.residual < least_ ? 0 : since_least_ + 1;
   if (iteration > 0) least_ = std::min(least_, it.residual);  // a body at rest is in balance before it is moved
 }
@@ -32,7 +32,7 @@ bool Chatter::is_over() const {
   constexpr int kProgress = 6;  // iterations in which the residual must fall, and the contact change
   constexpr int kMost = 8;      // times the iterations allowed otherwise
   if (iteration_ < max_iterations_ + std::min(halved_, max_iterations_)) return false;
-  const bool zips = is_late() && since_least_ < kProgress && iteration_ - last_change_ < kProgress;
+  const bool zips = since_least_ < kProgress && since_late_change_ < kProgress;
   return !zips || iteration_ >= kMost * max_iterations_;
 }
 

@@ -29,8 +29,8 @@ class Chatter {
  private:
   int max_iterations_;
   int iteration_ = 0;
-  bool circles_ = false, slow_ = false, changes_ = false;  // at the last iterate
-  int last_change_ = 0;                                    // iteration
+  bool circles_ = false, slow_ = false, changes_ = false;        // at the last iterate
+  int since_late_change_ = std::numeric_limits<int>::max() / 2;  // iterations
   double least_ = std::numeric_limits<double>::infinity();
   int since_least_ = 0;  // iterations
   int halved_ = 0;

@@ -73,7 +73,8 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
   // Where contact changes the last increment is no guide. On a path it is the path that goes on.
   if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
   newton.extrapolate = false;
-  return attempt();
+  Increment again = attempt();
+  return again.failure ? out : again;
 }
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {

@@ -15,7 +15,7 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int min_iterations = 0;              ///< corrections made even if the residual is small already
-  int max_iterations = 12;             ///< up to twice as many where contact points chatter
+  int max_iterations = 12;             ///< twice as many where contact chatters, eight times where it opens like a zip
   bool extrapolate = true;             ///< start from the last increment continued
 };
 
@@ -61,9 +61,11 @@ inline constexpr double kUnnoticedResidual = 1e-5;
 /// only read. Converged when residual and last correction are both below their tolerances, or when rounding ends the
 /// iteration: the residual is at its level, and is below kUnnoticedResidual of the largest force that the run has had
 /// or no longer falls. One above 1e-2 is a failure, and so are contact springs so stiff that their rounding hides the
-/// forces; of a body that bears nothing all forces are rounding, which is none. The last correction is made with the
-/// factors of the one before if these suffice. Where points or hats still change late in the iteration and the residual
-/// does not fall (chatter), corrections are halved.
+/// forces; of a body that bears nothing all forces are rounding, which is none. A correction that the stiffness turns
+/// into forces below the residual's tolerance is small, too: in a hold there is no displacement to compare it with. The
+/// last correction is made with the factors of the one before if these suffice. Where hats still change late in the
+/// iteration the correction solves their contact exactly, with all else linear; where points return to an active set
+/// and the residual does not fall (chatter), corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
