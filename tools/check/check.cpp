@@ -83,7 +83,7 @@ std::string describe(const scene::BoundarySpec& b) {
   if (b.field) parts.push_back("field " + b.field->name);
   if (b.rotation)
     parts.push_back(
-        with(b.rotation->amplitude, fmt::format("turned by {:g} degrees around ({:g}, {:g})", b.rotation->degrees,
+        with(b.rotation->amplitude, fmt::format("turned by {:g} degrees around ({}, {})", b.rotation->degrees,
                                                 b.rotation->center.x(), b.rotation->center.y())));
   return b.name + ": " + with(b.amplitude, fmt::format("{}", fmt::join(parts, ", ")));
 }
@@ -127,9 +127,9 @@ int check(const Options& options) {
   print("contact points", fmt::format("{}", model.surfaces.points.size()));
   for (std::size_t k = 0; k < model.cracks.size(); ++k) {
     const auto& cut = model.cut.cracks[k];
-    const auto end = [](const geometry::CrackEnd& e) {
-      return fmt::format("{} at ({:.6g}, {:.6g})", e.kind == geometry::CrackEnd::Kind::Tip ? "tip" : "mouth",
-                         e.effective.x(), e.effective.y());
+    const auto end = [&](const geometry::CrackEnd& e) {
+      return fmt::format("{} at {}", e.kind == geometry::CrackEnd::Kind::Tip ? "tip" : "mouth",
+                         model.words_for(e.effective));
     };
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));

@@ -42,22 +42,37 @@ void print_costs(const verify::StudyResult& result) {
   fmt::print("\n");
 }
 
+void print_runs(const verify::Series& s, const verify::StudyResult& result) {
+  fmt::print("  {:>10} {:>11} {:>8} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "mesh", "h", "unknowns", "value",
+             s.has_errors ? "rel. error" : "from finest", "seconds", "MB", "iter.");
+  for (std::size_t k = 0; k < s.runs.size(); ++k) {
+    const auto& r = result.runs[s.runs[k]];
+    const bool finest = !s.has_errors && k + 1 == s.runs.size();
+    const double shown = s.has_errors ? s.error[k] / s.scale : finest ? std::nan("") : s.from_finest[k];
+    fmt::print("  {:>10} {:>11.4g} {:>8} {:>14.7g} {:>11} {:>9.2f} {:>7.0f} {:>7}\n", r.mesh, r.h, r.unknowns,
+               r.value[s.quantity], number(shown, 3), r.seconds, r.megabytes, r.iterations);
+  }
+}
+
+void print_fit(const scene::Quantity& q, const verify::Series& s) {
+  if (!s.has_errors) {
+    fmt::print("  limit NOT DETERMINED: {}\n", s.fit.remark);
+    fmt::print("  no error is known; 'from finest' is the relative difference from the finest mesh\n");
+    return;
+  }
+  const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
+  if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
+  fmt::print("  order {}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
+             s.fit.determined ? "" : "  NOT DETERMINED");
+  if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
+}
+
 void print(const scene::Study& study, const verify::StudyResult& result) {
   for (const auto& s : result.series) {
     const auto& q = study.quantities[s.quantity];
     fmt::print("\n{}{}\n", q.name, s.variant.empty() ? "" : ", " + s.variant);
-    fmt::print("  {:>10} {:>11} {:>8} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "mesh", "h", "unknowns", "value",
-               "rel. error", "seconds", "MB", "iter.");
-    for (std::size_t k = 0; k < s.runs.size(); ++k) {
-      const auto& r = result.runs[s.runs[k]];
-      fmt::print("  {:>10} {:>11.4g} {:>8} {:>14.7g} {:>11} {:>9.2f} {:>7.0f} {:>7}\n", r.mesh, r.h, r.unknowns,
-                 r.value[s.quantity], number(s.error[k] / s.scale, 3), r.seconds, r.megabytes, r.iterations);
-    }
-    const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
-    if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
-    fmt::print("  order {}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
-               s.fit.determined ? "" : "  NOT DETERMINED");
-    if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
+    print_runs(s, result);
+    print_fit(q, s);
   }
   print_costs(result);
 }

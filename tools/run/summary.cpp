@@ -25,6 +25,7 @@ void print_energies(const assembly::Energies& e) {
                                                   {"plastic", e.plastic_dissipation},
                                                   {"viscous", e.viscous_dissipation},
                                                   {"friction", e.friction_dissipation},
+                                                  {"pressure", e.contact_pressure_work},
                                                   {"contact", e.contact},
                                                   {"released", e.released},
                                                   {"imbalance", e.imbalance()}};
@@ -32,7 +33,7 @@ void print_energies(const assembly::Energies& e) {
   for (const auto& [name, value] : parts)
     if (value != 0.0)
       fmt::print("{:{}}{:<14} {:>12.6g}{}\n", "", kLabel, name, value,
-                 e.external_work == 0.0 ? "" : fmt::format(" {:>10.3g} %", 100.0 * value / e.external_work));
+                 e.largest == 0.0 ? "" : fmt::format(" {:>10.3g} %", 100.0 * value / e.largest));
 }
 
 // The phases that take most, and what is left.

@@ -109,6 +109,34 @@ TEST(Study, SaysNothingOfOrdersThatTwoMeshesDoNotShow) {
     EXPECT_TRUE(std::isnan(series.fit.order));
     for (const double error : series.error) EXPECT_TRUE(std::isnan(error));
   }
+  const auto& load = r.series[0];
+  const double coarse = r.runs[0].value[0], fine = r.runs[1].value[0];
+  EXPECT_EQ(load.from_finest, (std::vector{std::fabs(coarse - fine) / std::fabs(fine), 0.0}));
+}
+
+// The number of contact points grows without a limit, but a fit of three meshes has one.
+TEST(Study, TellsNoErrorAgainstALimitThatIsNotDetermined) {
+  const Fresh s("no_limit", block("cells = [[4, 8], [8, 16], [16, 32]]\n[[quantity]]\ncolumn = \"contact_points\"\n"
+                                  "load = 0.1\nlimit_within = [-1e9, 1e9]\n"));
+  const StudyResult r = s.run();
+  ASSERT_EQ(r.series.size(), 1u);
+  const auto& points = r.series[0];
+  ASSERT_FALSE(points.fit.determined);
+  EXPECT_TRUE(std::isfinite(points.fit.limit));
+  EXPECT_FALSE(points.has_errors);
+  const auto table = scene::read_csv(s.directory + "/study.csv");
+  const auto error = table.column("error"), relative = table.column("relative_error"),
+             apart = table.column("from_finest"), value = table.column("value");
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_TRUE(std::isnan(error[k]) && std::isnan(relative[k]));
+    EXPECT_EQ(apart[k], std::fabs(value[k] - value[2]) / value[2]);
+  }
+  EXPECT_GT(apart[0], 0.5);
+  for (const char* figure : {"/convergence.svg", "/cost.svg"})
+    EXPECT_NE(scene::read_bytes(s.directory + figure).find("relative difference from the finest mesh"),
+              std::string::npos);
+  ASSERT_EQ(r.missed.size(), 1u);
+  EXPECT_NE(r.missed[0].find("no limit is determined"), std::string::npos) << r.missed[0];
 }
 
 TEST(Study, RunsOnlyWhatChanged) {

@@ -105,6 +105,18 @@ TEST(Converge, SaysWhyThereIsNoUncertainty) {
   EXPECT_TRUE(has(o, fits.rows[0].back())) << o.text;
 }
 
+TEST(Converge, ComparesWithTheFinestMeshWhereNoLimitIsDetermined) {
+  const std::string out = fresh("no_limit"), study = out + ".toml";
+  std::ofstream(study)
+      << "scene = \"" << kScenes << "block.toml\"\nset = [\"loading.steps=4\"]\n"
+      << "cells = [[4, 8], [8, 16], [16, 32]]\n[[quantity]]\ncolumn = \"contact_points\"\nload = 0.25\n";
+  const Outcome o = call("converge " + study + " -o " + out);
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_TRUE(has(o, "limit NOT DETERMINED: ")) << o.text;
+  EXPECT_TRUE(has(o, "from finest")) << o.text;
+  EXPECT_FALSE(has(o, "rel. error")) << o.text;
+}
+
 TEST(Manual, IsMadeOfWhatTheHelpTells) {
   const Outcome o = call("man", "LC_ALL=C ");
   EXPECT_EQ(o.code, 0);

@@ -105,11 +105,49 @@ TEST_P(SlantedCrack, HasTheStressIntensityOfTheInfinitePlane) {
     }
 }
 
+// Griffith's ellipse, 4 (1 - nu^2) / E s sqrt(a^2 - x^2), of which the normal jump has the normal stress for s and the
+// tangential one the shear.
+TEST_P(SlantedCrack, OpensAndSlidesAsAnEllipse) {
+  constexpr double kYoung = 1e10, kPoisson = 0.25;
+  const Slanted& crack = GetParam();
+  const double b = crack.degrees * std::numbers::pi / 180.0, a = crack.half.norm();
+  const double factor = 4.0 * (1.0 - kPoisson * kPoisson) / kYoung * kTension * std::sin(b);
+  Case table(fmt::format("open crack, {:.0f} deg to the load, h = a / {:.1f}", crack.degrees, 1.0 / crack.h_over_a()));
+  const Solved run = solve("slanted_crack", keys_of(crack));
+  for (const auto& [column, stress] :
+       {std::pair{"opening", std::sin(b)}, {"jump_n", std::sin(b)}, {"jump_t", std::cos(b)}}) {
+    double worst = 0.0, at_tips = 0.0;
+    for (const Row& row : run.profile("slit", 1.0)) {
+      const double x = number(row, "s") - a, ellipse = factor * stress * std::sqrt(a * a - x * x);
+      double& largest = a - std::fabs(x) < crack.h_over_a() * a ? at_tips : worst;
+      largest = std::fmax(largest, std::fabs(number(row, column) - ellipse) / (factor * stress * a));
+    }
+    table.compare(fmt::format("{}, worst distance from the ellipse over its height", column), worst, exact(0.0),
+                  within(0.005, "the mesh"));
+    table.compare(fmt::format("{}, the same within h of a tip", column), at_tips, exact(0.0),
+                  within(std::sqrt(2.0 * crack.h_over_a()) / 14.0,
+                         "chords of the faces, by a sixteenth of the jump at h from the tip, and the mesh"));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Angles, SlantedCrack,
                          testing::Values(Slanted{"b45", 45.0, {0.0, 0.013}, {1.0, 1.0}, 56},
                                          Slanted{"b70", 70.0, {0.0, 0.013}, {1.0, 0.36397023426620234}, 75},
                                          Slanted{"b30", 30.0, {0.011, 0.0}, {0.57735026918962576, 1.0}, 69}),
                          [](const auto& c) { return c.param.name; });
+
+// Two elements from the boundary, which moves as the exact field does; the ball has 5.6.
+TEST(EnrichedTips, FindTheStressIntensityWhereTheBallSticksOutOfTheBody) {
+  Case table("open crack at 45 deg, its tip 2.1 elements from the boundary, R = 5.6 h");
+  const double unit = 0.5 * kTension * std::sqrt(std::numbers::pi * std::numbers::sqrt2);
+  const Solved run = solve("slanted_crack", {"mesh.box=[-2,-2,1.15,2]", "mesh.cells=[44,56]"});
+  for (const int mode : {1, 2}) {
+    table.compare(fmt::format("K of mode {} by the integral", mode), run.at(fmt::format("k{}_slit_end", mode), 1.0),
+                  exact(unit), within_part(0.005, "as far from the boundary"));
+    table.compare(fmt::format("K of mode {} by the faces", mode), run.at(fmt::format("k{}_faces_slit_end", mode), 1.0),
+                  exact(unit), within_part(0.015, "a line through K(r) over two elements"));
+  }
+}
 
 TEST(EnrichedTips, RaiseTheOrderOfTheEnergyOfAnOpenCrackToOne) {
   Case table("open crack, branch functions within a third of its half-length");

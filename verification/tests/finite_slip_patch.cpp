@@ -32,6 +32,7 @@ struct Patch {
   double friction;
   contact::Mortar mortar{};
   bool rigid_integrates = false;  // the longer face carries the quadrature and overhangs the elastic one
+  bool both = false;              // and so does the elastic one
 };
 
 double ramp(double load, double from, double to) { return std::clamp((load - from) / (to - from), 0.0, 1.0); }
@@ -42,7 +43,7 @@ Mat2 homogeneous(const assembly::Material& material, const Patch& patch) {
   const Vec2 wanted(outward * patch.friction * kPressure, -kPressure);
   Mat2 F = Vec2(kStretchAlong, 1.0).asDiagonal();
   for (int k = 0; k < 30; ++k) {
-    const auto response = assembly::respond_from_rest(material, F);
+    const auto response = assembly::respond_from_rest(material, F - Mat2::Identity());
     const Mat2 slope = response.tangent.bottomRightCorner<2, 2>();
     F.col(1) -= slope.inverse() * (response.piola.col(1) - wanted);
   }
@@ -64,7 +65,9 @@ scene::Scene square(const Patch& patch) {
   crack.name = "face";
   crack.points = {kStart, kEnd};
   const bool right = (patch.elastic == Side::Right) != patch.rigid_integrates;
-  crack.negative_side = right ? contact::NegativeSide::Right : contact::NegativeSide::Left;
+  crack.negative_side = patch.both ? contact::NegativeSide::Both
+                        : right    ? contact::NegativeSide::Right
+                                   : contact::NegativeSide::Left;
   crack.mortar = patch.mortar;
   crack.friction = patch.friction;
   scene.cracks = {crack};
@@ -138,7 +141,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
 
   assembly::LoadStepper stepper(model, scene::step_controls(scene));
   double strain = 0.0, least_slip = 1e300;
-  std::vector<double> normal, tangential;
+  std::vector<double> normal, tangential, pressure, opposite;
   int positions = 0, cells = 0, points = 0;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
@@ -154,10 +157,14 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
       strain = std::fmax(strain, (cell.deformation(stepper.state().displacement) - F).norm());
     }
     for (const auto& point : scene::profile(stepper)) {
-      if (patch.rigid_integrates && point.status == contact::Status::Open) continue;  // past the other face
+      const bool on_rigid = point.side != patch.elastic;
+      if (on_rigid && point.status == contact::Status::Open) continue;  // past the other face
       ++points;
-      normal.push_back(point.normal);
-      tangential.push_back(point.tangential);
+      const double stretch = on_rigid ? kLonger : kStretchAlong;  // tractions are per reference area of their face
+      normal.push_back(kStretchAlong / stretch * point.normal);
+      tangential.push_back((on_rigid ? -kStretchAlong : kStretchAlong) / stretch * point.tangential);
+      pressure.push_back(point.pressure);
+      opposite.push_back(point.partner_pressure);
     }
   }
   for (const auto& point : scene::profile(stepper)) least_slip = std::fmin(least_slip, point.slip);
@@ -169,11 +176,12 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   }
   const std::string left = "what the iteration at residuals of 1e-12 leaves";
   table.compare("deviation of F, worst cell and position", strain, exact(0.0), within(1e-10, left));
-  // per reference area of the face that carries them
-  const double scale = patch.rigid_integrates ? -kLonger / kStretchAlong : 1.0;
-  const double pressure = -std::fabs(scale) * kPressure, friction = scale * patch.friction * kPressure;
-  table.compare("normal traction, worst, Pa", farthest(normal, pressure), exact(pressure), within_part(1e-9, left));
+  // by the stretch of the face that carries it the elastic face's
+  const double friction = patch.friction * kPressure, cauchy = kPressure / kStretchAlong;
+  table.compare("normal traction, worst, Pa", farthest(normal, -kPressure), exact(-kPressure), within_part(1e-9, left));
   table.compare("friction, worst, Pa", farthest(tangential, friction), exact(friction), within_part(1e-9, left));
+  table.compare("Cauchy pressure, worst, Pa", farthest(pressure, cauchy), exact(cauchy), within_part(1e-9, left));
+  table.compare("pressure opposite, worst, Pa", farthest(opposite, cauchy), exact(cauchy), within_part(1e-9, left));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -185,7 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Patch{"mortar above", "neo-hookean", Side::Left, 0.15, {true}},
                     Patch{"exact mortar", "hencky", Side::Right, 0.4, {true, 2.0, 0.0}},
                     Patch{"mortar that overhangs", "hencky", Side::Right, 0.4, {true}, true},
-                    Patch{"exact mortar that overhangs", "hencky", Side::Right, 0.4, {true, 2.0, 0.0}, true}),
+                    Patch{"exact mortar that overhangs", "hencky", Side::Right, 0.4, {true, 2.0, 0.0}, true},
+                    Patch{"mortar on both faces", "hencky", Side::Right, 0.4, {true}, true, true}),
     [](const auto& p) {
       std::string name = p.param.name;
       name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return !std::isalpha(c); }), name.end());

@@ -5,27 +5,14 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <random>
 
 #include "cleft/geometry/mesh.hpp"
+#include "dice.hpp"
 #include "hard.hpp"
 #include "hard_sweeps.hpp"
 
 namespace cleft::verification {
 namespace {
-
-// Distributions of the standard library differ from one to another; its generators do not.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : generator_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_()) / static_cast<double>(std::mt19937::max());
-  }
-  int below(int count) { return std::min(count - 1, static_cast<int>(between(0.0, count))); }
-
- private:
-  std::mt19937 generator_;
-};
 
 constexpr double kWidth = 0.04, kHeight = 0.08, kCell = 0.005;
 

@@ -150,6 +150,29 @@ TEST(SCrack, SlipAndPressureVaryNoMoreThanOnAMeshTwiceAsFine) {
   }
 }
 
+// Half way, at a place where the faces are now, between the two points around it on one face.
+double pressure_at(const Solved& run, const std::string& side, double place) {
+  auto rows = run.profile("main", 0.5);
+  std::erase_if(rows, [&](const Row& row) { return row.at("side") != side; });
+  std::ranges::sort(rows, {}, [](const Row& row) { return number(row, "x"); });
+  const auto next = std::ranges::find_if(rows, [&](const Row& row) { return number(row, "x") > place; });
+  const double from = number(*(next - 1), "x"), part = (place - from) / (number(*next, "x") - from);
+  return (1.0 - part) * number(*(next - 1), "pressure") + part * number(*next, "pressure");
+}
+
+// The faces have different stretches there, and a slip of several elements.
+TEST(SCrack, HasThePressureOfEitherSideAloneWhereBothAreIntegrated) {
+  const auto run = [](const char* side) {
+    return solve("s_crack", {"mesh.refine=2", kElastic, std::string("crack.main.negative_side=") + side});
+  };
+  const Solved left = run("left"), right = run("right"), both = run("both");
+  Case table("S-shaped crack, elastic, Cauchy pressure at x = 7 m at half load, Pa");
+  for (const auto& [side, alone] : {std::pair{"left", &left}, {"right", &right}})
+    table.compare(std::string(side) + " face, both integrated", pressure_at(both, side, 7.0),
+                  exact(pressure_at(*alone, side, 7.0)),
+                  within_part(0.01, "the mesh: each run integrates other points"));
+}
+
 TEST(SCrack, YieldsAtTheTipsFromTenPercentOnAndMayLocaliseAtOnce) {
   const Solved run = solve("s_crack");
   const auto load = run.history.column("load"), strain = run.history.column("max_plastic_strain"),

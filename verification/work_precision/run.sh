@@ -10,15 +10,13 @@ mkdir -p "$out"
 here=verification/work_precision
 problems=(block closed_crack s_crack)
 
-# columns FILE PROBLEM METHOD NAME...: the named columns of a study's CSV file, the variant (method of contact) beside METHOD. Where
-# the study's fits.csv has a limit that the data do not determine, the errors from it mean nothing.
+# columns FILE PROBLEM METHOD NAME...: the named columns of a study's CSV file, the variant (method of contact) beside METHOD.
 columns() {
   awk -F, -v problem="$2" -v method="$3" -v names="${*:4}" '
-    FNR == 1 { ++file; for (i = 1; i <= NF; ++i) c[$i] = i; n = split(names, name, " "); next }
-    file == 1 { unknown[$1, $2] = $c["determined"] == "no" && $c["limit_pm"] != 0; next }
+    NR == 1 { for (i = 1; i <= NF; ++i) c[$i] = i; n = split(names, name, " "); next }
     { row = problem "," method "_" $c["variant"]
-      for (i = 1; i <= n; ++i) row = row "," (name[i] == "relative_error" && unknown[$1, $2] ? "nan" : $c[name[i]])
-      print row }' "$(dirname "$1")/fits.csv" "$1"
+      for (i = 1; i <= n; ++i) row = row "," $c[name[i]]
+      print row }' "$1"
 }
 
 echo "problem,method,quantity,mesh,unknowns,increments,iterations,cuts,seconds,megabytes,value,error" > "$out/costs.csv"

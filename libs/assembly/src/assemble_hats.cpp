@@ -74,7 +74,6 @@ const std::vector<BlockMatrix::Place>& Assembler::places_of(Index strip, Index f
 
 void Assembler::assemble_hats(const contact::HatMemory& memory) {
   const PhaseTimer timer(seconds_.contact);
-  hat_force_.setZero(model_.unknowns.components());
   const auto& m = multipliers_;
   for (std::size_t o = 0; o < m.overlaps().size(); ++o) {
     add_overlap(o);
@@ -82,7 +81,6 @@ void Assembler::assemble_hats(const contact::HatMemory& memory) {
       if (m.pieces()[p].trail != kNone && !model_.surfaces.undeformed)
         add_anchor(p, memory.trails[m.pieces()[p].trail].anchor_face);
   }
-  contact_force_ += hat_force_;
   for (Index node = 0; node < static_cast<Index>(m.nodes().size()); ++node) {
     add_condition(node);
     if (!m.facing().empty() && m.facing()[node].overlap != kNone) add_facing(node);
@@ -99,7 +97,7 @@ void Assembler::add_overlap(std::size_t number) {
   const int forces = columns.size() - 2;
   for (int r = 0; r < forces; ++r) {
     const Column& row = columns[r];
-    hat_force_.segment<2>(2 * row.unknown) +=
+    contact_force_.segment<2>(2 * row.unknown) +=
         row.start * integrals.value.segment<2>(row.input) + row.end * integrals.value.segment<2>(row.input + 2);
     const Eigen::Matrix<double, 2, kOverlapInputs> by = row.start * integrals.force_by.middleRows<2>(row.input) +
                                                         row.end * integrals.force_by.middleRows<2>(row.input + 2);
@@ -116,7 +114,8 @@ void Assembler::add_overlap(std::size_t number) {
     by += by_cover * (support_by(0) + support_by(1));
     if (!multipliers_.facing().empty()) {
       const auto& ratio = integrals.length_ratio;
-      const Vec2 own = condition.by_beyond.cwiseProduct(multipliers_.nodes()[node].traction()),
+      const auto& state = multipliers_.nodes()[node];
+      const Vec2 own = condition.by_beyond.cwiseProduct(state.traction() - state.past_mismatch),
                  other = condition.by_beyond.cwiseProduct(multipliers_.facing()[node].traction);
       by += (own - ratio.value * other) * support_by(k) - other * (integrals.value(kSupportOutput + k) * ratio.by);
     }

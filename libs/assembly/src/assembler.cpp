@@ -194,7 +194,7 @@ constitutive::Response Assembler::respond(const Law& law, const Mat2& deformatio
 template <class Law, class Point, std::size_t unknowns>
 bool Assembler::add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                           const Point& point, double weight, const Places<unknowns>& places) {
-  const Mat2 F = point.deformation(displacement);
+  const Mat2 F = deformation_for<Law>(point, displacement);
   if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return false;
   const constitutive::Response r = respond(law, F, history, number);
   const auto& g = point.gradient;
@@ -277,7 +277,7 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
   const MaterialPoint at = material_point(model_, bad);
   const char* side = !at.side ? "" : *at.side == geometry::Side::Left ? ", left side" : ", right side";
   return Failure{FailureKind::Inverted,
-                 fmt::format("element {} at ({:.6g}, {:.6g}){}", at.element, at.reference.x(), at.reference.y(), side),
+                 fmt::format("element {} at {}{}", at.element, model_.words_for(at.reference), side),
                  static_cast<std::size_t>(bad) >= model_.cells.size()
                      ? "smaller loads, or formulation.tip_enrichment = 0: near a tip branch functions turn inside out "
                        "where strains are large"

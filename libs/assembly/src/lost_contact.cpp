@@ -35,8 +35,8 @@ std::optional<Failure> lost_contact(const Model& model, const History& history, 
     const Vec2 at = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
     return Failure{
         FailureKind::ContactLost,
-        fmt::format("the contact point at ({:.6g}, {:.6g}) of crack '{}' lies {:.2g} m deep in the other side", at.x(),
-                    at.y(), model.cracks[face.crack].name, -pairs[p].state.normal_gap),
+        fmt::format("the contact point at {} of crack '{}' lies {:.2g} m deep in the other side", model.words_for(at),
+                    model.cracks[face.crack].name, -pairs[p].state.normal_gap),
         std::string("no solver.search_radius of your own, ") +
             (model.surfaces.is_mortar(face.crack) ? "or smaller increments (loading.steps)"
                                                   : "smaller increments (loading.steps), or a stiffer penalty")};

@@ -1,8 +1,21 @@
 #include "cleft/assembly/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace cleft::assembly {
+
+std::string Model::words_for(const Vec2& place) const {
+  int digits = 6;
+  if (const double far = origin.cwiseAbs().maxCoeff(); far > 0.0) {
+    const auto [low, high] = geometry::box_around(mesh);
+    digits += std::max(0, static_cast<int>(std::ceil(std::log10(far / (high - low).maxCoeff()))));
+  }
+  const Vec2 at = in_scene(place);
+  return fmt::format("({:.{}g}, {:.{}g})", at.x(), digits, at.y(), digits);
+}
 
 bool Model::is_small_strain() const {
   return std::visit([]<class Law>(const Law&) { return constitutive::kIsSmallStrain<Law>; }, materials.front());
@@ -40,7 +53,14 @@ double tie_stiffness(const Model& model, const enrichment::GhostTie& tie) {
   return constitutive::uniaxial_strain_modulus(model.constants(tie.cell)) * tie.weight;
 }
 
+Mat2 displacement_gradient(const Model& model, Index number, const VecX& displacement) {
+  const auto cells = static_cast<Index>(model.cells.size());
+  return number < cells ? displacement_gradient(model.cells[number], displacement)
+                        : displacement_gradient(model.tip_points[number - cells], displacement);
+}
+
 Mat2 deformation(const Model& model, Index number, const VecX& displacement) {
+  if (model.is_small_strain()) return displacement_gradient(model, number, displacement);
   const auto cells = static_cast<Index>(model.cells.size());
   return number < cells ? model.cells[number].deformation(displacement)
                         : model.tip_points[number - cells].deformation(displacement);

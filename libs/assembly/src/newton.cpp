@@ -13,6 +13,7 @@
 #include "contact_step.hpp"
 #include "loose_parts.hpp"
 #include "places.hpp"
+#include "rounding.hpp"
 
 namespace cleft::assembly {
 namespace {
@@ -37,6 +38,10 @@ void predict(const State& state, const std::vector<Constraint>& constraints, con
 // A correction beyond this many times the body's extent and the prescribed motion comes from a matrix that is singular
 // but for rounding. It must not pass: at such displacements the floor of rounding is above every load.
 constexpr double kFlewAway = 1e3;
+
+// A residual at the level of rounding that users would notice ends the iteration once it no longer falls to this part
+// of the one before: the level is but an estimate.
+constexpr double kStillFalls = 0.5;
 
 double extent_of(const geometry::Mesh& mesh) {
   const auto [low, high] = geometry::box_around(mesh);
@@ -145,41 +150,7 @@ bool solve_contact(const Model& model, const History& history, const VecX& u, co
   return step.has_value();
 }
 
-// In an unloaded body all forces are rounding, of the bulk and of springs about as stiff as it: that is no fault.
-bool hides_forces(const RoundingFloor& rounding, double scale) {
-  constexpr double kHidden = 1e-3;  // of the forces
-  constexpr double kStiff = 1e6;    // times the bulk's: springs at E/h have 10 to 100, those at 1e4 E/h below 1e6
-  return rounding.contact > kStiff * rounding.bulk && rounding.contact > kHidden * scale;
-}
-
 }  // namespace
-
-double RoundingFloor::total() const { return std::hypot(bulk, contact); }
-
-RoundingFloor rounding_floor(const Model& model, const VecX& displacement) {
-  // F carries errors of the size eps (few + |u| / h), which the modulus turns into forces; gaps carry errors of the
-  // size eps |x|, which the penalty turns into forces. Independent errors add up in squares.
-  constexpr double kOperations = 16.0;
-  const double reach = displacement.cwiseAbs().maxCoeff();
-  const double modulus = model.stiffness();
-  double bulk = 0.0, contact = 0.0;
-  for_each_material_point(model, [&](std::size_t, const auto& point, double weight) {
-    for (const auto& g : point.gradient) {
-      const double steep = g.norm();
-      const double force = modulus * weight * steep * (kOperations + reach * steep);
-      bulk += force * force;
-    }
-  });
-  for (const auto& point : model.surfaces.points) {
-    const auto& face = model.surfaces.faces[point.face];
-    const auto& law = model.surfaces.laws[face.crack];
-    const double force =
-        point.weight * (law.normal_penalty + law.tangential_penalty) * (face.reference_start.norm() + reach);
-    contact += force * force;
-  }
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-  return {kEpsilon * std::sqrt(bulk), kEpsilon * std::sqrt(contact)};
-}
 
 Increment solve_increment(const Model& model, const std::vector<Constraint>& constraints, const State& state,
                           const Goal& goal, const NewtonControls& controls, Assembler& assembler, LinearSolver& solver,
@@ -206,7 +177,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   ActiveSet active;
   Chatter chatter(controls.max_iterations);
   double correction = std::numeric_limits<double>::infinity(), moves = correction;
-  double first_residual = 0.0;
+  double first_residual = 0.0, last_residual = std::numeric_limits<double>::infinity();
   for (int i = 0;; ++i) {
     if (along_path && !(load > 0.0)) {  // below load 0 amplitudes stay as they are: no path leads on from there
       out.failure = Failure{FailureKind::NoConvergence, "its load fell below 0", remedy(model, 0)};
@@ -231,14 +202,16 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       reactions += rhs[c.component] * rhs[c.component];
       rhs[c.component] = 0.0;
     }
-    const double scale = std::max({std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()});
+    const ForceNorms forces{std::sqrt(reactions), dead.norm(), assembler.contact_force().norm()};
+    const double scale = forces.scale();
     const RoundingFloor rounding = rounding_floor(model, u);
     const double floor = rounding.total();
+    const Resolution resolution(rounding, forces, state.largest_force);
     const double residual = rhs.norm();
     it.residual = residual / std::max(scale, floor);
     it.rounding = floor / std::max(scale, floor);
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
-    if (residual > 0.0 && hides_forces(rounding, scale)) {
+    if (residual > 0.0 && resolution.hidden_by_springs()) {
       out.failure = Failure{FailureKind::NoConvergence,
                             fmt::format("the rounding of the contact springs, {:.1e} N/m, hides the forces, {:.1e} N/m",
                                         rounding.contact, scale),
@@ -248,11 +221,20 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     // theory (9.2)
     const bool settled =
         correction <= controls.correction_tolerance || modulus * moves <= controls.residual_tolerance * scale;
-    if (in_place && i >= controls.min_iterations &&
-        (residual <= floor || (it.residual <= controls.residual_tolerance && settled))) {
-      out.left = it;
-      return out;
+    if (in_place && i >= controls.min_iterations) {
+      const bool converged = it.residual <= controls.residual_tolerance && settled;
+      const double missing = resolution.missing(residual);
+      const bool falls =
+          missing > kUnnoticedResidual && residual < kStillFalls * last_residual && i < controls.max_iterations;
+      if (converged || (residual <= floor && !falls)) {
+        out.left = it;
+        out.force = scale;
+        out.rounded = converged ? 0.0 : missing;
+        if (!converged) out.failure = resolution.refuse(model, residual);
+        return out;
+      }
     }
+    last_residual = residual;
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     chatter.look_at(i, it, again);
     if (chatter.is_over() || (i > 3 && residual > 1e8 * (first_residual + floor))) {

@@ -51,7 +51,7 @@ PatchedCell patched(const Model& model, Index cell, const VecX& displacement) {
   const auto& own = model.cells[cell];
   const auto& other = model.cells[model.mate[cell]];
   PatchedCell out;
-  const Mat2 F = own.deformation(displacement), F_other = other.deformation(displacement);
+  const Mat2 F = deformation(model, cell, displacement), F_other = deformation(model, model.mate[cell], displacement);
   out.deformation = F;
   const double area = own.area + other.area;
   if (model.is_small_strain()) {

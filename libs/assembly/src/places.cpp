@@ -11,8 +11,7 @@ std::string place_of(const Model& model, Index component) {
   if (node == kNone) return "a branch function's amplitude";
   const auto& side = model.unknowns.side_of[unknown];
   const char* where = !side ? "" : *side == geometry::Side::Left ? ", left side" : ", right side";
-  const Vec2& at = model.mesh.nodes[node];
-  return fmt::format("node {} at ({:.6g}, {:.6g}){}", node, at.x(), at.y(), where);
+  return fmt::format("node {} at {}{}", node, model.words_for(model.mesh.nodes[node]), where);
 }
 
 }  // namespace cleft::assembly

@@ -1,8 +1,25 @@
 #include "cleft/assembly/state.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "cleft/assembly/patches.hpp"
 
 namespace cleft::assembly {
+
+double Energies::size() const {
+  const auto entries = {
+      external_work,        elastic, contact, friction_dissipation, plastic_dissipation, viscous_dissipation, released,
+      contact_pressure_work};
+  double out = 0.0;
+  for (const double entry : entries) out = std::max(out, std::fabs(entry));
+  return out;
+}
+
+void Energies::end_increment(double least) {
+  largest = std::max({largest, size(), least});
+  largest_imbalance = std::max(largest_imbalance, std::fabs(imbalance()));
+}
 
 State state_at_rest(const Model& model) {
   State state;
@@ -12,6 +29,7 @@ State state_at_rest(const Model& model) {
   if (!model.surfaces.hats.empty()) state.history.hats = contact::hats_at_rest(model.surfaces);
   if (model.has_memory()) state.history.plastic.resize(model.material_points());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
+  state.previous_prescribed_force = state.prescribed_force;
   return state;
 }
 

@@ -9,27 +9,17 @@
 #include "cleft/contact/history.hpp"
 #include "lost_contact.hpp"
 #include "path.hpp"
+#include "targets.hpp"
+#include "work_error.hpp"
 
 namespace cleft::assembly {
 namespace {
 
-constexpr double kSameLoad = 1e-12;
-constexpr double kCrumb = 1e-2;             // of the planned increment: however short that is, it may be cut to this
+constexpr double kCrumb = 1e-2;             // of the way to the next target: however short, it may be cut to this
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 constexpr double kShortest = 1.0 / 4096;    // along the path, of the last increment
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
-
-std::vector<double> targets_of(const StepControls& controls) {
-  std::vector<double> all(controls.outputs);
-  const bool free = controls.accuracy > 0.0;
-  if (free) all.insert(all.end(), controls.kinks.begin(), controls.kinks.end());
-  const int equal = free ? 1 : controls.steps;
-  for (int k = 1; k <= equal; ++k) all.push_back(static_cast<double>(k) / equal);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSameLoad; }), all.end());
-  all.back() = 1.0;
-  return all;
-}
+constexpr double kReaches = 1.0 + 2.5 * kGivesWay;  // times the wanted increment: no farther a target ends it
 
 }  // namespace
 
@@ -42,12 +32,13 @@ LoadStepper::LoadStepper(const Model& model, StepControls controls)
     : model_(model),
       controls_(std::move(controls)),
       constraints_(constraints_of(model)),
-      targets_(targets_of(controls_)),
+      reactions_(model, constraints_),
+      marks_(marks_of(controls_)),
+      targets_(targets_of(controls_, marks_)),
       assembler_(model),
       solver_(factorisation_for(model)),
       state_(state_at_rest(model)) {
-  place_.step = 1.0 / controls_.steps;
-  controls_.min_step = std::min(controls_.min_step, kCrumb * place_.step);
+  place_.step = planned();
 }
 
 void LoadStepper::restore(State state, StepPlace place, std::optional<ContactRoom> room) {
@@ -56,39 +47,34 @@ void LoadStepper::restore(State state, StepPlace place, std::optional<ContactRoo
   if (room) assembler_.set_room(std::move(*room));
 }
 
-double LoadStepper::next_target() const {
-  const auto at = std::upper_bound(targets_.begin(), targets_.end(), state_.load + kSameLoad);
-  return at == targets_.end() ? 1.0 : *at;
+// Whether the last increment tells how the next one will go.
+bool LoadStepper::goes_on() const { return state_.previous_load < state_.load && !turns_at(controls_, state_.load); }
+
+// Where the next increment of the load ends. No crumbs: what is left of the way to a target is either nothing or at
+// least as long as the increment.
+double LoadStepper::next_end(double before) const {
+  const double target = first_beyond(targets_, state_.load), rest = target - state_.load;
+  const double end = rest <= kReaches * place_.step ? target : state_.load + std::min(place_.step, 0.5 * rest);
+  return std::min(before, end);
 }
 
-double LoadStepper::next_output() const {
-  const auto at = std::upper_bound(controls_.outputs.begin(), controls_.outputs.end(), place_.furthest + kSameLoad);
-  return at == controls_.outputs.end() ? 1.0 : *at;
-}
+// What a path must not pass by.
+double LoadStepper::next_mark() const { return first_beyond(marks_, place_.furthest); }
 
 Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {
   state_.history.duration = goal.stretch > 0.0 ? constitutive::kForever : goal.load - state_.load;
-  const auto from = [&](const NewtonControls& newton) {
+  NewtonControls newton = controls_.newton;
+  newton.extrapolate = newton.extrapolate && !turns_at(controls_, state_.load);
+  const auto attempt = [&] {
     return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
   };
-  Increment out = from(controls_.newton);
-  const bool extrapolated =
-      controls_.newton.extrapolate && goal.load > state_.load && state_.load > state_.previous_load;
-  // Where the load turns or contact changes the last increment is no guide. On a path it is the path that goes on.
+  Increment out = attempt();
+  const bool extrapolated = newton.extrapolate && goal.load > state_.load && state_.load > state_.previous_load;
+  // Where contact changes the last increment is no guide. On a path it is the path that goes on.
   if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
-  NewtonControls from_state = controls_.newton;
-  from_state.extrapolate = false;
-  Increment again = from(from_state);
+  newton.extrapolate = false;
+  Increment again = attempt();
   return again.failure ? out : again;
-}
-
-Increment LoadStepper::try_load(double before, const IterationObserver& observer) {
-  if (before <= std::min(next_target(), state_.load + place_.step)) return solve({before}, observer);
-  const double target = next_target();
-  const double rest = target - state_.load;
-  // no crumbs: what is left after this increment is either nothing or at least as large
-  place_.step = rest <= place_.step * (1.0 + 1e-9) ? rest : std::min(place_.step, 0.5 * rest);
-  return solve({place_.step == rest ? target : state_.load + place_.step}, observer);
 }
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {
@@ -97,56 +83,92 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
     Increment at_zero = solve({0.0}, observer);  // where the path gets there, and not by going back the way it came
     if (!at_zero.failure && state_.progress.dot(at_zero.displacement - state_.displacement) > 0.0) return at_zero;
   }
-  if (increment.failure || increment.load <= next_output()) return increment;
-  return solve({next_output()}, observer);
+  if (increment.failure || increment.load <= next_mark()) return increment;
+  return solve({next_mark()}, observer);
 }
 
-// After a failure: false where there is nothing shorter to try.
-bool LoadStepper::shorten() {
+// After a failure: false where there is nothing shorter to try. From a kink the path leads no one knows where.
+bool LoadStepper::shorten(double taken, double least) {
   if (place_.stretch > 0.0) {
     place_.stretch *= 0.5;
     return place_.stretch >= kShortest;
   }
-  place_.step *= 0.5;
-  if (controls_.control == Control::Path && state_.progress.size() > 0) {
+  place_.step = 0.5 * taken;
+  if (controls_.control == Control::Path && state_.progress.size() > 0 && !turns_at(controls_, state_.load)) {
     const double last = std::fabs(state_.load - state_.previous_load);
-    place_.stretch = last > 0.0 ? std::clamp(place_.step / last, 2.0 * kShortest, 1.0) : 1.0;
+    place_.stretch = last > 0.0 ? std::max(place_.step / last, 2.0 * kShortest) : 1.0;
     return true;
   }
-  return place_.step >= controls_.min_step;
+  return place_.step >= least;
 }
 
-// Part of the external work that the last increment left unexplained, both over its share of the load.
-double LoadStepper::missed_work(const Energies& before) const {
-  const double missed = std::fabs(state_.energies.imbalance() - before.imbalance());
-  const double share = (state_.load - state_.previous_load) / state_.load;
-  return missed / (std::fabs(state_.energies.external_work) * share + std::numeric_limits<double>::min());
+// Part of its share of the largest energy that the last increment missed: what the energies leave unexplained or, where
+// the increment before shows it, what the trapezoidal rule makes of forces that bend.
+double LoadStepper::missed_work(const State& before, bool goes_on) const {
+  const double unexplained = std::fabs(state_.energies.imbalance() - before.energies.imbalance());
+  const double bent = goes_on ? trapezoidal_error(model_, constraints_, before, state_) : 0.0;
+  const double share = (state_.load - before.load) / state_.load;
+  return std::max(unexplained, bent) / (state_.energies.largest * share + std::numeric_limits<double>::min());
 }
 
-// After an increment that converged, which is committed already.
-void LoadStepper::lengthen(bool easy, double missed) {
-  const double planned = 1.0 / controls_.steps;
-  if (place_.stretch == 0.0) {
-    const double regained = easy ? std::min(2.0 * place_.step, planned) : std::min(place_.step, planned);
-    if (controls_.accuracy > 0.0) {
-      // theory (9.6): what the trapezoidal rule misses is of second order in the increment
-      constexpr double kCaution = 0.8;
-      const double fits = kCaution * std::sqrt(controls_.accuracy / std::max(missed, 1e-3 * controls_.accuracy));
-      const double taken = state_.load - state_.previous_load;
-      place_.step = std::max(regained, taken * std::clamp(fits, 0.5, easy ? 2.0 : 1.0));
-    } else {
-      place_.step = regained;
-    }
-    return;
+// theory (9.7): the increment that would have missed what the accuracy allows, with some caution.
+double LoadStepper::fitting(double missed) const {
+  constexpr double kCaution = 0.8;
+  return kCaution * std::sqrt(controls_.accuracy / missed) * (state_.load - state_.previous_load);
+}
+
+// After an increment of the load that converged, which is committed already.
+void LoadStepper::lengthen(bool easy, double fits) {
+  const double taken = state_.load - state_.previous_load;
+  place_.step = std::min(std::max(place_.step, easy ? 2.0 * taken : taken), std::max(planned(), fits));
+}
+
+// Nothing where the increment is longer than planned and misses too much: then it is wanted as short as it takes.
+std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, bool easy, bool goes_on) {
+  std::optional<Step> out;
+  if (controls_.accuracy == 0.0) {
+    out = commit(increment);
+    end_account();
+    lengthen(easy, planned());
+    return out;
   }
+  const State before = state_;
+  const StepPlace place = place_;
+  const std::vector<contact::Pair> pairs = pairs_;
+  out = commit(increment);
+  end_account();
+  const double missed = missed_work(before, goes_on), fits = fitting(missed);
+  if (missed <= controls_.accuracy || increment.load - before.load <= kReaches * planned()) {
+    lengthen(easy, fits);
+    return out;
+  }
+  state_ = before;
+  place_ = place;
+  pairs_ = pairs;
+  place_.step = std::max(planned(), fits);
+  return std::nullopt;
+}
+
+// How many times as long an increment along the path was wanted as the one that ends at a mark.
+double LoadStepper::cut_short(const Increment& increment) const {
+  if (increment.load != next_mark()) return 1.0;
+  const double made = state_.progress.dot(increment.displacement - state_.displacement);
+  return made > 0.0 ? place_.stretch / made : 1.0;
+}
+
+Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
+  const double wanted = cut_short(increment);
+  Step out = commit(increment);
+  end_account();
   const double gain = state_.load - state_.previous_load;
-  if (easy && gain >= kRises * planned) {
+  if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
     place_.stretch = 0.0;
-    place_.step = std::min(gain, planned);
-    return;
+    place_.step = std::clamp(gain, kRises * planned(), planned());
+    return out;
   }
-  place_.stretch = easy ? 2.0 : 1.0;
-  if (gain != 0.0) place_.stretch = std::min(place_.stretch, planned / std::fabs(gain));
+  place_.stretch = std::max(easy ? 2.0 : 1.0, wanted);
+  if (gain != 0.0) place_.stretch = std::min(place_.stretch, planned() / std::fabs(gain));
+  return out;
 }
 
 // What ends the run: the failure of the last attempt and how small that was.
@@ -165,18 +187,22 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
 }
 
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
-  int cuts = 0;
+  const bool known = goes_on();
+  if (!known) place_.step = std::min(place_.step, planned());
+  const double least =
+      std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
+  int cuts = 0, iterations_before = 0;
   double before = event.before;
   for (;;) {
     const bool along_path = place_.stretch > 0.0;
-    Increment increment = along_path ? try_path(observer) : try_load(before, observer);
+    const double end = next_end(before), taken = end - state_.load;
+    Increment increment = along_path ? try_path(observer) : solve({end}, observer);
     if (!increment.failure)
       increment.failure = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs());
     if (increment.failure) {
-      const double size = along_path ? place_.stretch : place_.step;
+      const double size = along_path ? place_.stretch : taken;
       ++cuts;
-      if (!along_path && before < state_.load + place_.step) place_.step = before - state_.load;
-      if (shorten()) continue;
+      if (shorten(taken, least)) continue;
       return given_up(*increment.failure, increment.load, size);
     }
     if (!(increment.load > 0.0))
@@ -188,15 +214,17 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
         before = *lower;
         continue;
       }
-    const bool is_output = std::any_of(controls_.outputs.begin(), controls_.outputs.end(),
-                                       [&](double l) { return std::fabs(l - increment.load) < kSameLoad; });
-    const bool first_time = increment.load > place_.furthest;
-    const Energies before_it = state_.energies;
-    Step out = commit(increment);
-    lengthen(increment.iterations.size() <= kEasyIterations && cuts == 0, missed_work(before_it));
-    out.is_output = is_output && first_time;
-    out.cuts = cuts;
-    return out;
+    const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0;
+    const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
+    std::optional<Step> out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, known);
+    if (!out) {
+      iterations_before += static_cast<int>(increment.iterations.size());
+      continue;
+    }
+    out->is_output = is_output;
+    out->cuts = cuts;
+    out->iterations_before = iterations_before;
+    return *out;
   }
 }
 
@@ -234,10 +262,19 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
     }
     // theory (10.7)
     state_.energies.released += state_.energies.imbalance() - unexplained;
+    end_account();
     out.cuts = cuts;
     out.iterations_before = iterations_before;
     return out;
   }
+}
+
+// Forces at rounding do work, too, where a body moves without strain: energies below that tell nothing.
+void LoadStepper::end_account() {
+  constexpr double kRounding = 1e4 * std::numeric_limits<double>::epsilon();
+  const auto& u = state_.displacement;
+  const double moved = u.head(2 * model_.unknowns.displacements()).cwiseAbs().maxCoeff();
+  state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);
 }
 
 Step LoadStepper::commit(const Increment& increment) {
@@ -252,6 +289,8 @@ Step LoadStepper::commit(const Increment& increment) {
   energies.viscous_dissipation += work.viscous;
   state_.history.plastic = assembler_.plastic();
   energies.contact = 0.0;
+  contact::FacePositions faces_before;
+  contact::place_faces(model_.surfaces, state_.displacement, faces_before);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto index = static_cast<Index>(p);
     const auto& s = pairs_[p].state;
@@ -271,20 +310,22 @@ Step LoadStepper::commit(const Increment& increment) {
                            s.traction.tangential * s.traction.tangential / law.tangential_penalty);
       state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
     }
-    energies.friction_dissipation += weight * step.dissipation;
+    energies.friction_dissipation += weight * step.friction;
+    if (contact::presses(pairs_[p]) && !pairs_[p].anchored)
+      energies.friction_dissipation +=
+          weight *
+          contact::touching_friction(model_.surfaces, faces_before, assembler_.face_positions(), index, pairs_[p]);
+    energies.contact_pressure_work += weight * step.pressure;
     state_.history.contact[p] = step.memory;
   }
 
   if (!model_.surfaces.hats.empty()) {
     auto& hats = state_.history.hats;
-    const double stored = contact::stored_energy(model_.surfaces, hats);
-    VecX forces = assembler_.hat_force();
-    if (hats.force.size() > 0) forces += hats.force;
-    hats = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions());
-    hats.force = assembler_.hat_force();
-    const double now = contact::stored_energy(model_.surfaces, hats);
-    energies.contact += now;
-    energies.friction_dissipation += 0.5 * forces.dot(increment.displacement - state_.displacement) - (now - stored);
+    auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
+    energies.contact += step.stored;
+    energies.friction_dissipation += step.friction;
+    energies.contact_pressure_work += step.pressure;
+    hats = std::move(step.memory);
   }
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);
@@ -299,20 +340,23 @@ Step LoadStepper::commit(const Increment& increment) {
       0.5 *
       (dead_force(model_, load) + dead_force(model_, state_.load)).dot(increment.displacement - state_.displacement);
 
+  state_.previous_prescribed_force = std::move(state_.prescribed_force);
   state_.prescribed_force = prescribed;
+  state_.largest_force = std::max(state_.largest_force, increment.force);
   state_.previous_load = state_.load;
   state_.previous_displacement = std::move(state_.displacement);
   state_.load = load;
   place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
-  return {.number = ++place_.number, .load = load, .iterations = increment.iterations, .left = increment.left};
+  return {.number = ++place_.number,
+          .load = load,
+          .iterations = increment.iterations,
+          .left = increment.left,
+          .rounded = increment.rounded};
 }
 
 std::vector<Vec2> LoadStepper::reactions() const {
-  std::vector<Vec2> sum(model_.prescribed.size(), Vec2::Zero());
-  for (std::size_t k = 0; k < constraints_.size(); ++k)
-    sum[constraints_[k].source][constraints_[k].component % 2] += state_.prescribed_force[k];
-  return sum;
+  return reactions_(model_, constraints_, state_.prescribed_force, state_);
 }
 
 }  // namespace cleft::assembly

@@ -17,7 +17,7 @@ Stress stress_of(const Material& material, const Mat2& F, const constitutive::Pl
         } else {
           piola = law.respond(F).piola;
           // both hyperelastic laws have tau_33 = lambda ln J when the third stretch is 1
-          out_of_plane = law.constants.lambda * (kSmall ? F.trace() - 2.0 : std::log(det(F)));
+          out_of_plane = law.constants.lambda * (kSmall ? F.trace() : std::log(det(F)));
         }
         if constexpr (kSmall) return {piola, out_of_plane};
         return {constitutive::cauchy(piola, F), out_of_plane / det(F)};
@@ -37,14 +37,15 @@ constitutive::Localisation localisation_of(const Material& material, const Mat2&
       material);
 }
 
-constitutive::Response respond_from_rest(const Material& material, const Mat2& F) {
+constitutive::Response respond_from_rest(const Material& material, const Mat2& displacement_gradient) {
   return std::visit(
       [&]<class Law>(const Law& law) {
+        const Mat2 argument = constitutive::argument_of<Law>(displacement_gradient);
         constitutive::PlasticState after;
         if constexpr (constitutive::PathDependent<Law>)
-          return law.respond(F, {}, after);
+          return law.respond(argument, {}, after);
         else
-          return law.respond(F);
+          return law.respond(argument);
       },
       material);
 }

@@ -20,8 +20,11 @@ Prescribed hold_component(const Model& m, const std::string& on, int component) 
   return p;
 }
 
+// A dead load that rises with the load up to a turn and falls beyond it.
+double factor(double load, double turn) { return std::fmin(load, 2.0 * turn - load); }
+
 // A bar of unit length under a dead traction at its end: P = E/(1 - nu^2) ln l / l, which is largest at l = e.
-Model bar() {
+Model bar(double turn = 1.0) {
   Model m;
   m.mesh = geometry::structured_mesh({0, 0, 0.5, 1.0}, {2, 3}, geometry::Diagonal::Right);
   models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, kBarYoung);
@@ -33,7 +36,7 @@ Model bar() {
     force[2 * i + 1] += half * kTraction;
     force[2 * j + 1] += half * kTraction;
   }
-  m.dead_loads.push_back([force](double load) -> VecX { return load * force; });
+  m.dead_loads.push_back([force, turn](double load) -> VecX { return factor(load, turn) * force; });
   return m;
 }
 
@@ -79,6 +82,46 @@ TEST(Path, LoadControlStopsAtTheLimitLoadOfABar) {
   for (int k = 0; k < 100; ++k)
     if (std::holds_alternative<Failure>(stepper.advance())) break;
   EXPECT_NEAR(stepper.state().load, nominal_stress(std::numbers::e) / kTraction, 1e-3);
+}
+
+// Just below the limit load, where increments of the load fail: the path ends at the turn, and the load falls.
+TEST(Path, EndsAtATurnOfTheLoad) {
+  constexpr double kTurn = 0.7845;
+  const Model model = bar(kTurn);
+  StepControls controls = along_path(4);
+  controls.kinks = {kTurn};
+  controls.newton.max_iterations = 5;
+  LoadStepper stepper(model, controls);
+  bool by_path = false, hit = false;
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    const State& s = stepper.state();
+    EXPECT_NEAR(factor(s.load, kTurn), nominal_stress(stretch_of(model, s)) / kTraction, 1e-7);
+    by_path = by_path || stepper.place().stretch > 0.0;
+    hit = hit || s.load == kTurn;
+    ASSERT_LT(std::get<Step>(outcome).number, 100);
+  }
+  EXPECT_TRUE(by_path);
+  EXPECT_TRUE(hit);
+  EXPECT_LT(stretch_of(model, stepper.state()), std::numbers::e);
+}
+
+// The size is counted in increments made last, and that to the output is far shorter than it was wanted.
+TEST(Path, GoesOnWithItsSizeAfterAnOutput) {
+  const Model model = bar();
+  LoadStepper first(model, along_path(20));
+  while (first.place().stretch == 0.0) ASSERT_TRUE(std::holds_alternative<Step>(first.advance()));
+  StepControls controls = along_path(20);
+  controls.outputs = {first.state().load + 1e-5};
+  LoadStepper stepper(model, controls);
+  stepper.restore(first.state(), first.place());
+  ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  EXPECT_EQ(stepper.state().load, controls.outputs.front());
+  EXPECT_GT(stepper.place().stretch, 100.0);
+  ASSERT_TRUE(std::holds_alternative<Step>(first.advance()));
+  ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  EXPECT_GT(stretch_of(model, stepper.state()), stretch_of(model, first.state()));
 }
 
 // Where the load can rise, a run that may follow its path is that of load control, to the last bit.

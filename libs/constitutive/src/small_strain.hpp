@@ -6,10 +6,9 @@
 
 namespace cleft::constitutive {
 
-/// sym(F) - 1, plane strain.
-inline PlaneTensor small_strain(const Mat2& deformation) {
-  return plane_tensor(deformation(0, 0) - 1.0, deformation(1, 1) - 1.0, 0.5 * (deformation(0, 1) + deformation(1, 0)),
-                      0.0);
+/// sym(H) of a displacement gradient, plane strain.
+inline PlaneTensor small_strain(const Mat2& gradient) {
+  return plane_tensor(gradient(0, 0), gradient(1, 1), 0.5 * (gradient(0, 1) + gradient(1, 0)), 0.0);
 }
 
 }  // namespace cleft::constitutive

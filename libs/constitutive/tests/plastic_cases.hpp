@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "cleft/constitutive/plastic.hpp"
+#include "cleft/constitutive/kinematics.hpp"
 
 namespace cleft::constitutive::test {
 
@@ -28,6 +28,13 @@ struct NamedMaterial {
   std::string name;
   DruckerPrager material;
 };
+
+/// What a law is asked at for the deformation gradient F.
+template <class Law>
+Mat2 at(const Law&, const Mat2& F) {
+  if constexpr (kIsSmallStrain<Law>) return F - Mat2::Identity();
+  return F;
+}
 
 /// Every kind of flow: cone and cylinder, perfect and hardening, associated and not.
 inline std::vector<NamedMaterial> materials() {
@@ -56,7 +63,7 @@ struct Step {
 /// Stretches from coincident to far apart, from compression to so much expansion that cones return to their apex.
 template <class Law>
 std::vector<Step> steps(const Law& law, unsigned seed) {
-  constexpr bool kFinite = std::is_same_v<Law, FinitePlastic>;
+  constexpr bool kFinite = !kIsSmallStrain<Law>;
   std::mt19937 random(seed);
   std::vector<Step> all;
   for (const double gap : {0.0, 1e-12, 1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.8})
@@ -68,7 +75,7 @@ std::vector<Step> steps(const Law& law, unsigned seed) {
         if (k % 2 == 1) {
           const double before_mean = between(random, -0.1, 0.1), before_gap = between(random, 0.0, 0.5);
           const Mat2 before = stretched(random, before_mean, before_gap);
-          law.respond(before, {}, committed);
+          law.respond(at(law, before), {}, committed);
           if (kFinite && k == 3) F = stretched(random, mean, gap) * before;  // F F_before^-1 is the stretch
         }
         all.push_back({F, committed});
@@ -80,9 +87,9 @@ std::vector<Step> steps(const Law& law, unsigned seed) {
 template <class Law>
 Branch branch_of_step(const Law& law, const Step& step, const Mat2& F) {
   PlasticState updated;
-  law.respond(F, step.committed, updated);
+  law.respond(at(law, F), step.committed, updated);
   if (updated.accumulated == step.committed.accumulated) return Branch::Elastic;
-  return law.continuum_tangent(F, updated).branch;
+  return law.continuum_tangent(at(law, F), updated).branch;
 }
 
 /// Whether steps to all these F end on the same branch, so that differences between them mean a derivative.

@@ -1,11 +1,16 @@
 #include "cleft/contact/history.hpp"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "cleft/contact/undeformed.hpp"
 
 namespace cleft::contact {
 namespace {
+
+const double kSpring = std::getenv("KSPRING") ? std::atof(std::getenv("KSPRING")) : 1.0;
+const double kTouching =
+    std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a point touches
 
 struct Place {
   Index face;
@@ -39,13 +44,60 @@ Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   return walk(surfaces, at, pair.partner_face, y, along.normalized(), target);
 }
 
+// Where a point without an anchor takes hold: without tangential gap.
+void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, Memory& memory) {
+  memory.anchor_face = pair.partner_face;
+  memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
+}
+
 double stored(double normal, double tangential, const Law& law) {
   return 0.5 * (normal * normal / law.normal_penalty + tangential * tangential / law.tangential_penalty);
 }
 
 double mean(double a, double b) { return 0.5 * (a + b); }
 
+// The part of the increment over which the point presses if its normal gap changes evenly.
+double pressed_part(const Law& law, const PairState& now, const Memory& memory) {
+  if (now.traction.status != Status::Open) return 1.0;
+  const double pull = law.normal_penalty * std::fmax(0.0, now.normal_gap);
+  return pull > memory.normal ? memory.normal / (memory.normal - pull) : 0.0;
+}
+
+// theory (7.7), per unit of the ramp: strength times plastic slip, from where the traction that would be without
+// sliding, linear as the gaps, leaves the cone of the law, which is linear, too.
+double friction_work(const Law& law, const PairState& now, const Memory& memory) {
+  if (now.traction.status == Status::Stick) return 0.0;
+  const double pressed = pressed_part(law, now, memory);
+  const double trial = memory.tangential + pressed * (law.tangential_penalty * now.tangential_gap - memory.tangential);
+  const double strength_before = -law.friction * memory.normal, strength = std::fabs(now.traction.tangential);
+  const double beyond = std::fabs(trial) - strength;
+  if (!(beyond > 0.0)) return 0.0;
+  const double below = std::fmax(0.0, strength_before - std::copysign(1.0, trial) * memory.tangential);
+  const double sticks = below / (below + kSpring * beyond);
+  const double at_onset = strength_before + sticks * (strength - strength_before);
+  return mean(at_onset, strength) * beyond / law.tangential_penalty;
+}
+
+// From the point to the material point that is its partner now.
+Vec2 to_partner(const FacePositions& at, const Point& point, const Pair& pair) {
+  const Index own = point.face, other = pair.partner_face;
+  const double xi = pair.state.partner;
+  return (1.0 - xi) * at.start[other] + xi * at.end[other] -
+         ((1.0 - point.eta) * at.start[own] + point.eta * at.end[own]);
+}
+
 }  // namespace
+
+double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index p,
+                         const Pair& pair) {
+  const Point& point = surfaces.points[p];
+  const auto& face = surfaces.faces[point.face];
+  const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
+                                         : Vec2(at.end[point.face] - at.start[point.face]);
+  const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
+  const double strength = surfaces.laws[face.crack].friction * std::fabs(pair.state.traction.normal);
+  return pair.state.ramp * mean(0.0, strength) * kTouching * std::fabs(slide);
+}
 
 // theory (7.7)
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
@@ -58,39 +110,34 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     Memory gone;
     gone.slip = memory.slip;
     gone.ramp = 0.0;
-    return {gone, memory.ramp * stored(memory.normal, memory.tangential, law)};
+    return {gone, 0.0, memory.ramp * stored(memory.normal, memory.tangential, law)};
   }
   Memory next = memory;
   next.normal = tn;
   next.tangential = tt;
   next.ramp = now.ramp;
   next.slope = now.slope;
+  Advance out{next};
+  out.pressure = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
+  if (pair.anchored) {
+    const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
+    out.pressure += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) *
+                    pressed_part(law, now, memory) * slide;
+    out.friction = mean(memory.ramp, now.ramp) * friction_work(law, now, memory);
+  }
   if (now.traction.status == Status::Open) {
-    next.anchor_face = kNone;
-    next.anchor_place = 0.0;
-    return {next, 0.0};
-  }
-  double work = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
-  if (!pair.anchored) {
-    next.anchor_face = pair.partner_face;
-    next.anchor_place = now.partner;
-    return {next, work};
-  }
-  const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
-  work += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) * slide;
-  if (now.traction.status == Status::Slip) {
+    out.memory.anchor_face = kNone;
+    out.memory.anchor_place = 0.0;
+  } else if (!pair.anchored) {
+    take_hold(surfaces, at, p, pair, out.memory);
+  } else if (now.traction.status == Status::Slip) {
     const double target = tt / law.tangential_penalty;
     const Place anchor = anchor_at(surfaces, at, p, pair, target);
-    const double moved = std::fabs(now.tangential_gap - target);
-    // While the point slides on in one sense its traction goes over from the last value to this one; after a reversal
-    // it unloads elastically first.
-    const bool onward = memory.tangential * tt >= 0.0;
-    work += mean(memory.ramp, now.ramp) * std::fabs(onward ? mean(memory.tangential, tt) : tt) * moved;
-    next.anchor_face = anchor.face;
-    next.anchor_place = anchor.place;
-    next.slip += moved;
+    out.memory.anchor_face = anchor.face;
+    out.memory.anchor_place = anchor.place;
+    out.memory.slip += std::fabs(now.tangential_gap - target);
   }
-  return {next, work};
+  return out;
 }
 
 Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
@@ -100,8 +147,7 @@ Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;
   if (pair.anchored && now.traction.status == Status::Slip) next.slip += std::fabs(now.tangential_gap);
-  next.anchor_face = pair.partner_face;
-  next.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : now.partner;
+  take_hold(surfaces, at, p, pair, next);
   next.normal = now.traction.normal;
   next.tangential = now.traction.tangential;
   next.slope = now.slope;

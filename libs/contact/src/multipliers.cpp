@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace cleft::contact {
 namespace {
@@ -11,6 +12,10 @@ constexpr double kCover = 0.25;
 
 // Of a face: places that are no further apart are the same.
 constexpr double kTie = 1e-9;
+
+const double kTouching =
+    std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a node touches
+const double kStiff = std::getenv("KSTIFF") ? std::atof(std::getenv("KSTIFF")) : 1.0;
 
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
 
@@ -23,6 +28,13 @@ Compliance compliance(const Mortar& mortar, double length, double covered) {
   const double scale = mortar.compliance * length / 12.0, bare = 1.0 - covered / (kCover * length);
   if (bare <= 0.0) return {mortar.smoothing * scale, 0.0};
   return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
+}
+
+// Of what lies opposite against the face.
+double slope_of(const Surfaces& surfaces, const FacePositions& at, Index face, Index partner) {
+  if (surfaces.undeformed) return 0.0;
+  const Vec2 own = at.end[face] - at.start[face], e = at.end[partner] - at.start[partner];
+  return surfaces.faces[face].normal_sign() * e.dot(turn_left(own)) / e.dot(own);
 }
 
 bool has_hats_on_both_faces(const Surfaces& surfaces) {
@@ -61,7 +73,17 @@ std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<
   return out;
 }
 
-double own_part(double coverage) { return std::min(1.0, coverage / kCover); }
+// The part of an interval's past that is still there: it goes with what is covered, below kCover of the length.
+// Parts of consecutive increments multiply to that of all of them.
+struct Kept {
+  double value = 1.0, by_cover = 0.0;
+};
+
+Kept kept_of(double length, double covered, double past_coverage) {
+  const double now = covered / length, past = std::min(kCover, past_coverage);
+  if (now >= past) return {};
+  return {now / past, 1.0 / (past * length)};
+}
 
 }  // namespace
 
@@ -69,9 +91,10 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
   const auto& hats = surfaces.hats;
   return {std::vector<Status>(hats.nodes.size(), Status::Stick),
           VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
+          VecX::Zero(static_cast<Index>(hats.nodes.size())),
           std::vector<double>(hats.intervals.size(), 1.0),
           trails_at_rest(surfaces),
-          {}};
+          std::vector<double>(hats.nodes.size(), 0.0)};
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
@@ -186,16 +209,19 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
     const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
     s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
-    Vec2 difference = own - nodes_[j].traction();
-    difference.y() -= own_part(memory.coverage[e]) * (memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
+    const Kept kept = s.supported ? kept_of(hats.intervals[e].length, covered_[e], memory.coverage[e]) : Kept{0.0, 0.0};
+    s.fades = s.fades || kept.by_cover > 0.0;
+    const Vec2 past(0.0, memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
+    const Vec2 difference = own - nodes_[j].traction() - kept.value * past;
     smooth += soft.value * difference;
     by_own += soft.value;
     by_neighbour[k] = -soft.value;
-    by_cover[k] = soft.by_cover * difference;
+    by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past;
   }
   const bool faces_hats = !facing_.empty() && facing_[i].overlap != kNone;
   if (faces_hats) {
-    s.beyond = s.support * own - s.reach * facing_[i].traction;
+    s.past_mismatch = {0.0, memory.mismatch[i]};
+    s.beyond = s.support * (own - s.past_mismatch) - s.reach * facing_[i].traction;
     smooth += mortar.compliance * s.beyond;
     by_own += mortar.compliance * s.support;
   }
@@ -215,7 +241,9 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     out.by_own = c * node.length * Mat2::Identity();
     return;
   }
+  s.plastic_slip = s.slip - smooth.y();
   if (!s.supported) {
+    s.plastic_slip = 0.0;
     level(0, 0.0);
     level(1, 0.0);
     s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
@@ -275,29 +303,71 @@ Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta)
           normal, tangential};
 }
 
-HatMemory Multipliers::advance(const Surfaces& surfaces, const FacePositions& at) const {
+HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
   const auto& hats = surfaces.hats;
   HatMemory out;
-  out.multiplier.resize(2 * static_cast<Index>(nodes_.size()));
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    out.status.push_back(nodes_[i].status);
-    out.multiplier[2 * static_cast<Index>(i)] = nodes_[i].normal;
-    out.multiplier[2 * static_cast<Index>(i) + 1] = nodes_[i].tangential;
+  const auto count = static_cast<Index>(nodes_.size());
+  out.multiplier.resize(2 * count);
+  out.mismatch = VecX::Zero(count);
+  for (Index i = 0; i < count; ++i) {
+    const NodeState& node = nodes_[i];
+    out.status.push_back(node.status);
+    out.multiplier.segment<2>(2 * i) = node.traction();
+    if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
   }
   for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
   out.trails = trails_of(surfaces, at, pieces_);
+  out.slope.assign(nodes_.size(), 0.0);
+  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
+    const auto& [strip, partner, first, last] = overlaps_[o];
+    const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
+    const auto ends = hats.ends(strip);
+    for (int k = 0; k < 2; ++k)
+      out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
+  }
   return out;
 }
 
-// theory (8.5)
-double stored_energy(const Surfaces& surfaces, const HatMemory& memory) {
+// theory (8.5): half of the sum of l Z(l)
+double Multipliers::stored_energy(const Surfaces& surfaces) const {
   double out = 0.0;
   const auto& hats = surfaces.hats;
-  for (const auto& interval : hats.intervals) {
-    const Mortar& mortar = mortar_of(surfaces, hats.nodes[interval.first]);
-    const Vec2 difference =
-        memory.multiplier.segment<2>(2 * interval.first) - memory.multiplier.segment<2>(2 * interval.second);
-    out += 0.5 * mortar.smoothing * mortar.compliance * interval.length / 12.0 * difference.squaredNorm();
+  for (std::size_t e = 0; e < hats.intervals.size(); ++e) {
+    const auto& [first, second, length] = hats.intervals[e];
+    const Vec2 difference = nodes_[first].traction() - nodes_[second].traction();
+    out +=
+        0.5 * compliance(mortar_of(surfaces, hats.nodes[first]), length, covered_[e]).value * difference.squaredNorm();
+  }
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    out += 0.5 * mortar_of(surfaces, hats.nodes[i]).compliance *
+           nodes_[i].traction().dot(nodes_[i].beyond + nodes_[i].support * nodes_[i].past_mismatch);
+  return out;
+}
+
+// As in history.hpp, per node; where the springs know how stiff a point is before it slides, here it is as an element.
+double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
+  const auto& node = nodes_[i];
+  const auto& at = surfaces.hats.nodes[i];
+  const double friction = surfaces.laws[at.crack].friction, slip = std::fabs(node.plastic_slip);
+  const double strength = friction * std::fabs(node.normal);
+  if (before.status[i] == Status::Open) return node.status == Status::Open ? 0.0 : kTouching * 0.5 * strength * slip;
+  if (node.status == Status::Stick) return 0.0;
+  const double past = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
+  if (node.status == Status::Open) return 0.5 * std::max(0.0, past) * slip;
+  const double strength_before = friction * std::fabs(before.multiplier[2 * i]);
+  const double below = std::max(0.0, strength_before - past),
+               beyond = kStiff * mortar_of(surfaces, at).scale * slip / at.length;
+  const double sticks = below > 0.0 ? below / (below + beyond) : 0.0;
+  return (strength + 0.5 * (1.0 - sticks) * (strength_before - strength)) * slip;
+}
+
+// theory (8.7)
+HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
+  HatAdvance out{remembered(surfaces, at), stored_energy(surfaces)};
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
+    out.friction += friction_work(surfaces, i, before);
+    out.pressure +=
+        0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
   }
   return out;
 }

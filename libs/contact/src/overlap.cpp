@@ -108,10 +108,15 @@ void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& t
 // Adds the parts of a tile that lie in a strip, by trail; `first` and `last` bound the face's trails.
 void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const Strip& strip, Index number,
                 const Tile& tile, std::vector<Piece>& out) {
+  // Where a trail ends opposite an end of the partner, as after sticking, it is the partner's end that moves.
+  const auto gives_way = [&](double bound) {
+    return bound > strip.begin + kCrumb && bound < strip.end - kCrumb ? -kCrumb : kCrumb;
+  };
   const auto add = [&](Index trail, double begin, double end) {
     Piece piece{number, tile.partner, trail, begin, end, {}, {}};
-    if (tile.begin > begin + kCrumb) piece.begin = tile.begin, piece.begin_at = tile.begin_at;
-    if (tile.end < end - kCrumb) piece.end = tile.end, piece.end_at = tile.end_at;
+    if (tile.begin > begin + gives_way(begin))
+      piece.begin = std::max(begin, tile.begin), piece.begin_at = tile.begin_at;
+    if (tile.end < end - gives_way(end)) piece.end = std::min(end, tile.end), piece.end_at = tile.end_at;
     if (piece.end > piece.begin + kCrumb) out.push_back(piece);
   };
   double begin = strip.begin;

@@ -66,16 +66,23 @@ bool same_face(const Surfaces& surfaces, Index f, bool at_end, Index wanted) {
 
 }  // namespace
 
-void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
-                 std::vector<Pair>& pairs) {
+void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositions& out) {
   const auto count = static_cast<Index>(surfaces.faces.size());
-  positions_.start.resize(count);
-  positions_.end.resize(count);
+  out.start.resize(count);
+  out.end.resize(count);
   for (Index f = 0; f < count; ++f) {
     const auto& face = surfaces.faces[f];
-    positions_.start[f] = face.reference_start + face.start.displacement(displacement);
-    positions_.end[f] = face.reference_end + face.end.displacement(displacement);
+    out.start[f] = face.start.displacement(displacement);
+    out.end[f] = face.end.displacement(displacement);
+    if (surfaces.undeformed) continue;
+    out.start[f] += face.reference_start;
+    out.end[f] += face.reference_end;
   }
+}
+
+void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
+                 std::vector<Pair>& pairs) {
+  place_faces(surfaces, displacement, positions_);
   pairs.resize(surfaces.points.size());
   if (!surfaces.undeformed) return find_nearest(surfaces, memory, deepest, pairs);
   for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) pairs[p] = opposite(surfaces, positions_, p, memory[p]);

@@ -185,6 +185,27 @@ TEST(NodeCondition, WhatStuckBeforeSmoothsTheChangeOfItsTractionOnly) {
   expect_derivative(joint, place, kNode);
 }
 
+// Wherever the blocks are, and whatever tractions they have come to: the same place once more asks for the same ones.
+TEST(NodeCondition, NothingThatSticksAsksForAChangeWhereNothingMoves) {
+  for (const double smoothing : {0.0, 2.0})
+    for (const auto side : {NegativeSide::Right, NegativeSide::Both})
+      for (const double along : {0.0, 0.11, 0.23, 0.26}) {
+        Joint joint(smoothing, side);
+        const Place place = joint.place({along, 0.0}, -1.0, 0.1);
+        joint.hats_memory = joint.at(place).advance(joint.surfaces, joint.search.positions(), joint.hats_memory).memory;
+        const auto m = joint.at(place);
+        int seen = 0;
+        for (Index i = 0; i < joint.nodes(); ++i) {
+          if (!m.nodes()[i].supported || joint.hats_memory.status[i] == Status::Open) continue;
+          EXPECT_EQ(m.nodes()[i].status, Status::Stick);
+          EXPECT_NEAR(m.conditions()[i].value.y(), 0.0, 1e-13) << along << ", node " << i;
+          expect_derivative(joint, joint.place({along + 1e-4, 0.0}, -1.0, 0.1), i);
+          ++seen;
+        }
+        EXPECT_GE(seen, 4);
+      }
+}
+
 TEST(NodeCondition, NodesThatRunPastTheMouthTakeTheirNeighboursTractions) {
   Joint joint(0.0);
   const Place place = joint.place({0.23, 0.0}, -1.0, 0.1);  // the lower face is bare up to 0.23: a bit before node 1

@@ -124,8 +124,7 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
     for (int k = 1; k <= increments; ++k) {
       go(0.05 + 0.1 * k / increments);
       for (std::size_t p = 0; p < s.pairs.size(); ++p)
-        work[p] +=
-            advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation;
+        work[p] += advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
       s.commit();
     }
     each([&](std::size_t p) {
@@ -141,7 +140,7 @@ TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOn
     std::vector<double> work;
     for (std::size_t p = 0; p < s.pairs.size(); ++p)
       work.push_back(
-          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).dissipation);
+          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction);
     s.commit();
     return work;
   };
@@ -152,6 +151,48 @@ TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOn
   each([&](std::size_t p) { EXPECT_NEAR(back[p], 3 * kStrength * (0.03 - 6 * kElastic), 1e-12); });
 }
 
+TEST_P(History, APointThatSticksFirstSlidesAtTheStrengthFromThereOn) {
+  go(0.5 * kElastic);
+  s.commit();
+  const double slide = 0.03;  // while the pressure and with it the strength grow threefold
+  s.look(s.shift({0.5 * kElastic + slide, -3 * kDeep}));
+  const double below = 0.5 * kStrength, beyond = 0.5 * kStrength + kTangential * slide - 3 * kStrength;
+  const double at_onset = kStrength * (1.0 + 2.0 * below / (below + beyond));
+  each([&](std::size_t p) {
+    const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    EXPECT_NEAR(next.friction, 0.5 * (at_onset + 3 * kStrength) * beyond / kTangential, 1e-12);
+  });
+}
+
+TEST_P(History, APointThatOpensSlidesUntilItOpens) {
+  go(0.1);
+  s.commit();
+  s.look(s.shift({0.12, kDeep}));  // opens in the middle of the increment
+  each([&](std::size_t p) {
+    const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    EXPECT_NEAR(next.friction, 0.5 * kStrength * (0.01 + kElastic), 1e-12);
+    EXPECT_NEAR(next.pressure, 0.0, 1e-12);
+  });
+  s.surfaces.laws[0].friction = 0.0;
+  each([&](std::size_t p) {
+    auto smooth = s.memory[p];
+    smooth.tangential = 0.0;
+    EXPECT_EQ(advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], smooth).friction, 0.0);
+  });
+}
+
+TEST_P(History, APointThatTouchesHasSlidOverHalfOfTheIncrement) {
+  s.look(s.shift({0.0, kDeep}));
+  s.commit();
+  const FacePositions apart = s.search.positions();
+  go(0.04);
+  each([&](std::size_t p) {
+    EXPECT_EQ(tangential(p), 0.0);
+    EXPECT_NEAR(touching_friction(s.surfaces, apart, s.search.positions(), static_cast<Index>(p), s.pairs[p]),
+                0.5 * kStrength * 0.02, 1e-12);
+  });
+}
+
 TEST_P(History, DissipationIsNeverNegativeToAndFro) {
   double place = 0.0, total = 0.0;
   for (int k = 0; k < 60; ++k) {
@@ -159,9 +200,9 @@ TEST_P(History, DissipationIsNeverNegativeToAndFro) {
     go(place);
     each([&](std::size_t p) {
       const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
-      EXPECT_GE(next.dissipation, 0.0);
+      EXPECT_GE(next.friction, 0.0);
       EXPECT_GE(next.memory.slip, s.memory[p].slip);
-      total += next.dissipation;
+      total += next.friction;
     });
     s.commit();
   }

@@ -28,6 +28,38 @@ Vec2 unit_displacement(Mode mode, const geometry::TipPolar& at, const PlaneStrai
   return u;
 }
 
+constexpr std::array<Mode, 2> kModes{Mode::I, Mode::II};
+
+// s_ij v_i,1 + z_ij u_i,1 - s_mn v_m,n d_1j
+Vec2 flux(const PointState& here, const ModeField& mode) {
+  return here.stress.transpose() * mode.gradient.col(0) + mode.stress.transpose() * here.gradient.col(0) -
+         here.stress.cwiseProduct(mode.gradient).sum() * Vec2::UnitX();
+}
+
+// What the integral of a tip needs to know of the tip.
+struct Neighbourhood {
+  const geometry::TipBall& ball;
+  const PlaneStrain& body;
+  Mat2 axes;
+
+  Cutoff weight(double r) const { return cutoff(r, kWeightPlateau * ball.reach, ball.reach); }
+
+  PointState seen(const PointState& state) const {
+    return {axes.transpose() * state.gradient * axes, axes.transpose() * state.stress * axes};
+  }
+
+  // int t_i v_i,1 q ds over a piece. Along a straight face v_i,1 ds is an increment of v_i: no quadrature of its
+  // singularity is needed.
+  double work(const FacePiece& piece, Mode mode) const {
+    const double q = weight((0.5 * (piece.start + piece.end) - ball.frame.tip()).norm()).value;
+    if (q == 0.0) return 0.0;
+    const bool forward = axes.col(0).dot(piece.end - piece.start) > 0.0;
+    const auto at = [&](const Vec2& point) { return unit_displacement(mode, ball.frame.at(point, piece.side), body); };
+    const Vec2 increment = at(forward ? piece.end : piece.start) - at(forward ? piece.start : piece.end);
+    return q * (axes.transpose() * piece.traction).dot(increment);
+  }
+};
+
 }  // namespace
 
 Mat2 PlaneStrain::stress(const Mat2& gradient) const {
@@ -64,40 +96,24 @@ Intensities intensities_of_amplitudes(const geometry::TipBall& ball, const std::
 // theory (10.5)
 Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const std::vector<TipPoint>& points,
                                  const std::function<PointState(const TipPoint&)>& state,
-                                 const std::vector<FacePiece>& faces, const PlaneStrain& body) {
-  const Mat2 Q = axes(ball);
-  const double radius = std::min(ball.radius, ball.frame.straight_until());
-  const auto weight = [&](double r) { return cutoff(r, kWeightPlateau * radius, radius); };
-  constexpr std::array<Mode, 2> kModes{Mode::I, Mode::II};
+                                 const std::vector<FacePiece>& faces, const PlaneStrain& body, const Vec2& body_force) {
+  const Neighbourhood around{ball, body, axes(ball)};
+  const Vec2 force = around.axes.transpose() * body_force;
   std::array<double, 2> integral{};
   for (const TipPoint& point : points) {
     if (point.tip != tip) continue;
     const geometry::TipPolar at = ball.frame.at(point.reference, point.side);
-    const Cutoff q = weight(at.r);
-    if (q.slope == 0.0) continue;
-    const Vec2 slope = q.slope * (Q.transpose() * at.r_gradient);
-    const PointState turned = state(point);
-    const Mat2 H = Q.transpose() * turned.gradient * Q, s = Q.transpose() * turned.stress * Q;
+    const Cutoff q = around.weight(at.r);
+    if (q.slope == 0.0 && (q.value == 0.0 || force.isZero(0.0))) continue;
+    const Vec2 slope = q.slope * (around.axes.transpose() * at.r_gradient);
+    const PointState here = around.seen(state(point));
     for (const int m : {0, 1}) {
       const ModeField mode = unit_field(kModes[m], at.r, at.angle, body);
-      const Vec2 flux = s.transpose() * mode.gradient.col(0) + mode.stress.transpose() * H.col(0) -
-                        s.cwiseProduct(mode.gradient).sum() * Vec2::UnitX();
-      integral[m] += point.weight * flux.dot(slope);
+      integral[m] += point.weight * (flux(here, mode).dot(slope) - q.value * force.dot(mode.gradient.col(0)));
     }
   }
-  // Along a straight face v_i,1 ds is an increment of v_i: no quadrature of its singularity is needed.
-  for (const FacePiece& piece : faces) {
-    const double q = weight((0.5 * (piece.start + piece.end) - ball.frame.tip()).norm()).value;
-    if (q == 0.0) continue;
-    const bool forward = Q.col(0).dot(piece.end - piece.start) > 0.0;
-    const geometry::TipPolar back = ball.frame.at(forward ? piece.start : piece.end, piece.side);
-    const geometry::TipPolar front = ball.frame.at(forward ? piece.end : piece.start, piece.side);
-    const Vec2 traction = Q.transpose() * piece.traction;
-    for (const int m : {0, 1}) {
-      const Vec2 increment = unit_displacement(kModes[m], front, body) - unit_displacement(kModes[m], back, body);
-      integral[m] -= q * traction.dot(increment);
-    }
-  }
+  for (const FacePiece& piece : faces)
+    for (const int m : {0, 1}) integral[m] -= around.work(piece, kModes[m]);
   // E' = E / (1 - nu^2) = 2 mu / (1 - nu)
   const double half_modulus = body.shear_modulus / (1.0 - body.poisson_ratio);
   return {half_modulus * integral[0], half_modulus * integral[1]};

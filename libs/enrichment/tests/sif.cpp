@@ -99,6 +99,52 @@ TEST(InteractionIntegral, IsOfSecondOrderInAComputedField) {
   }
 }
 
+// The ball sticks out of the body ahead of the tip, at a corner, beside the crack; and holds half of its mouth.
+TEST(InteractionIntegral, GoesNoFartherThanTheBodyIsWhole) {
+  for (const auto& [tip, direction] : {std::pair{Vec2(0.783, 0.0137), 0.0},
+                                       {Vec2(0.76, 0.743), 0.4},
+                                       {Vec2(0.0312, -0.79), 0.0},
+                                       {Vec2(-0.77, 0.0137), 0.0}}) {
+    const CrackField exact{tip, direction, 1.0, 0.7, {}};
+    const Plate plate = test::box_with_crack(40, exact.tip, direction, 0.5);
+    ASSERT_LT(plate.cut.tips[0].reach, 0.26);
+    const auto K = found(plate, plate.solve(exact), {});
+    EXPECT_NEAR(K.K_I, 1.0, 0.003) << tip.transpose();
+    EXPECT_NEAR(K.K_II, 0.7, 0.003) << tip.transpose();
+  }
+}
+
+// Both functions and unknowns of the ball stay; only the integral becomes narrow. README.md has the table.
+TEST(InteractionIntegral, IsWithinOnePercentDownToHalfAnElement) {
+  const CrackField exact{{0.0312, 0.0137}, 0.4, 1.0, 0.7, {}};
+  Plate plate = test::box_with_crack(40, exact.tip, 0.4, 0.25);  // 5 h
+  const VecX u = plate.solve(exact);
+  for (const double elements : {3.0, 2.0, 1.0, 0.5}) {
+    plate.cut.tips[0].reach = elements / 20.0;
+    const auto K = found(plate, u, {});
+    EXPECT_NEAR(K.K_I, 1.0, 0.01) << elements;
+    EXPECT_NEAR(K.K_II, 0.7, 0.01) << elements;
+  }
+}
+
+// A body that hangs by its weight, with a crack along the stress: it does not notice.
+TEST(InteractionIntegral, ABodyForceCounts) {
+  constexpr double kWeight = 3.0, kAlong = 0.35, kAcross = -0.15;  // strains over the stress: (1 - nu)/2, -nu/2
+  const Plate plate = test::box_with_crack(20, {0.0312, 0.0137}, 0.5 * std::numbers::pi, 0.5);
+  const auto state = [&](const TipPoint& p) {
+    const double s = kWeight * p.reference.y(), shear = kAcross * kWeight * p.reference.x();
+    Mat2 H;
+    H << kAcross * s, shear, -shear, kAlong * s;
+    return PointState{H, kBody.stress(H)};
+  };
+  const auto hanging = [&](const Vec2& force) {
+    return interaction_integral(plate.cut.tips[0], 0, plate.points, state, {}, kBody, force);
+  };
+  EXPECT_NEAR(hanging({0.0, -kWeight}).K_I, 0.0, 1e-4);
+  EXPECT_NEAR(hanging({0.0, -kWeight}).K_II, 0.0, 1e-4);
+  EXPECT_GT(std::abs(hanging({0.0, 0.0}).K_I), 0.05) << "it does matter";
+}
+
 // A closed crack under pressure whose faces slide: mode II, and a uniform stress that the faces transmit.
 struct Closed {
   CrackField exact{{0.0312, 0.0137}, 0.0, 0.0, 0.5, {}};

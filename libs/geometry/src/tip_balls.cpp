@@ -1,6 +1,7 @@
 #include "tip_balls.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "cleft/geometry/distance.hpp"
 #include "cleft/support/error.hpp"
@@ -49,6 +50,15 @@ std::vector<Vec2> points_in_ball(const Crack& crack, int end) {
   return points;
 }
 
+double distance_to_boundary(const Terrain& terrain, const Vec2& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [triangle, local] : terrain.boundary) {
+    const Vec2 &a = terrain.topology.corner(triangle, local), &b = terrain.topology.corner(triangle, local + 1);
+    least = std::min(least, distance_to_segment(a, b, point));
+  }
+  return least;
+}
+
 bool meets(const Mesh& mesh, const std::array<Index, 3>& triangle, const TipBall& ball) {
   const Vec2& tip = ball.frame.tip();
   bool inside = true;
@@ -74,6 +84,7 @@ TipBall make_ball(const Terrain& terrain, const Crack& crack, Index c, const Tra
   ball.radius = crack.tip_radius;
   // Seen along the way to the tip, left of the crack is at angle +pi; at its first point the crack comes from the tip.
   ball.frame = TipFrame(points_in_ball(crack, tip.end), tip.end == 1 ? Side::Left : Side::Right);
+  ball.reach = std::min({ball.radius, ball.frame.straight_until(), distance_to_boundary(terrain, ball.frame.tip())});
   ball.element = tip.passage.element;
 
   const auto crossing = [&](int number) { return &trace.crossings[static_cast<std::size_t>(number)]; };

@@ -83,6 +83,26 @@ TEST(TipBall, MeetsTheTrianglesWithinItsRadius) {
   }
 }
 
+TEST(TipBall, ReachesToTheBendOrTheBoundaryAndNoFartherThanItsRadius) {
+  const auto reach = [](const Mesh& mesh, const std::vector<Vec2>& points, double radius) {
+    return sound_cut(mesh, {{"c", points, radius}}).tips.at(0).reach;
+  };
+  EXPECT_EQ(reach(unit(20), {{0, 0.4}, {0.5, 0.4}}, 0.2), 0.2);
+  EXPECT_NEAR(reach(unit(20), {{0, 0.4}, {0.9, 0.4}}, 0.2), 0.1, 1e-15) << "ahead";
+  EXPECT_NEAR(reach(unit(20), {{1, 0.4}, {0.1, 0.4}}, 0.2), 0.1, 1e-15) << "ahead, the other way";
+  EXPECT_NEAR(reach(unit(20), {{0, 0.07}, {0.5, 0.07}}, 0.2), 0.07, 1e-15) << "beside";
+  EXPECT_NEAR(reach(unit(20), {{-1, 0.4}, {0.06, 0.4}}, 0.2), 0.06, 1e-15) << "behind: the mouth";
+  EXPECT_NEAR(reach(unit(20), {{0, 0.5}, {0.92, 0.91}}, 0.3), 0.08, 1e-15) << "a corner";
+  EXPECT_NEAR(reach(unit(20), {{0, 0.3}, {0.4, 0.4}, {0.5, 0.4}}, 0.2), 0.1, 1e-15) << "a bend";
+  // around a hole of one cell with its lower left corner at (0.6, 0.6)
+  Mesh holed = unit(10);
+  std::erase_if(holed.triangles, [&](const auto& t) {
+    const Vec2 c = (holed.nodes[t[0]] + holed.nodes[t[1]] + holed.nodes[t[2]]) / 3.0;
+    return c.x() > 0.6 && c.x() < 0.7 && c.y() > 0.6 && c.y() < 0.7;
+  });
+  EXPECT_NEAR(reach(holed, {{0, 0.5}, {0.52, 0.55}}, 0.2), Vec2(0.08, 0.05).norm(), 1e-14);
+}
+
 TEST(TipBall, SegmentsAreGradedTowardsTheTip) {
   const Mesh mesh = unit(20);
   const CutMesh result = sound_cut(mesh, {{"c", {{0, 0.4}, {0.52, 0.47}}, 0.2}});

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bracket.hpp"
+#include "cleft/assembly/intensities.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/transfer.hpp"
 #include "cleft/support/error.hpp"
@@ -127,6 +128,19 @@ std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserve
   return Step{std::move(std::get<assembly::Step>(outcome)), {}, 0.0};
 }
 
+// Where an advance of this length ends. With branch functions a tip stays where it is put, however near the boundary:
+// what would be left ahead of it is cut, too, where it is too little for the mesh to carry or for intensities to be
+// told.
+Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) const {
+  const auto& ahead = due.demand.ahead;
+  const Index ball = assembly::ball_at(*model_, due.tip.crack, due.tip.end);
+  if (ball != kNone) {
+    const Vec2 beyond = from + (length + assembly::least_reach(*model_, ball)) * ahead;
+    if (const Vec2 to = geometry::reach(model_->mesh, from, beyond); to != beyond) return to;
+  }
+  return geometry::reach(model_->mesh, from, from + length * ahead);
+}
+
 // Lets one tip advance as far as there is room.
 Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const {
   const auto& [tip, demand] = due;
@@ -142,7 +156,7 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
               .stop = Stop::None,
               .hindrance = {}};
   for (const double part : {1.0, 0.5, 0.25}) {
-    const Vec2 to = geometry::reach(model_->mesh, from.point, from.point + part * law.advance * demand.ahead);
+    const Vec2 to = destination(due, from.point, part * law.advance);
     auto longer = cracks;
     longer[tip.crack] = geometry::extended(longer[tip.crack], tip.end, to);
     try {
@@ -186,8 +200,8 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
   const auto failed = [&](Failure failure) {
     std::string who;
     for (const Advance& a : out.advances)
-      who += fmt::format("{}{} to ({:.6g}, {:.6g}){}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
-                         a.point.x(), a.point.y(), a.stop == Stop::Boundary ? " through the boundary" : "");
+      who += fmt::format("{}{} to {}{}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
+                         model_->words_for(a.point), a.stop == Stop::Boundary ? " through the boundary" : "");
     failure.place = fmt::format("after growth of {}: {}", who, failure.place);
     return failure;
   };

@@ -18,7 +18,13 @@ HoopDirection largest_hoop_stress(const enrichment::Intensities& k) {
 
 Demand HoopStress::judge(const assembly::Equilibrium& body, const TipName& tip) const {
   Demand out;
-  out.intensities = assembly::intensities_by_integral(body, assembly::ball_at(body.model, tip.crack, tip.end));
+  const Index ball = assembly::ball_at(body.model, tip.crack, tip.end);
+  out.intensities = assembly::intensities_by_integral(body, ball);
+  out.elements = assembly::elements_within_reach(body.model, ball);
+  if (std::isnan(out.intensities.K_I)) {
+    out.measure = Demand::kUnknown;
+    return out;
+  }
   const HoopDirection largest = largest_hoop_stress(out.intensities);
   out.measure = largest.intensity / toughness;
   const Vec2 ahead = geometry::tip_of(body.model.cracks[tip.crack], tip.end).ahead;

@@ -91,6 +91,8 @@ contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, 
     const double share = (node.s - first) / (second - first);
     out.multiplier.segment<2>(2 * i) = (1.0 - share) * memory.multiplier.segment<2>(2 * interval.first) +
                                        share * memory.multiplier.segment<2>(2 * interval.second);
+    out.slope[i] = (1.0 - share) * memory.slope[interval.first] + share * memory.slope[interval.second];
+    out.mismatch[i] = (1.0 - share) * memory.mismatch[interval.first] + share * memory.mismatch[interval.second];
     out.status[i] = memory.status[share < 0.5 ? interval.first : interval.second];
   }
   for (std::size_t k = 0; k < now.intervals.size(); ++k) {

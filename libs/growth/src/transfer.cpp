@@ -80,13 +80,13 @@ std::vector<constitutive::PlasticState> plastic_on(const Model& from,
 State transfer(const Model& from, const State& state, const Model& to) {
   State out = state;
   out.history.hats = hats_on(from, state.history.hats, to);
-  if (state.history.hats.force.size() > 0) out.history.hats.force = displacement_on(from, state.history.hats.force, to);
   out.displacement = displacement_on(from, state.displacement, to);
   put_multipliers(to, out.history.hats, out.displacement);
   out.previous_displacement = out.displacement;
   out.previous_load = state.load;
   out.progress.resize(0);
   out.prescribed_force = prescribed_force_on(from, state.prescribed_force, to);
+  out.previous_prescribed_force = out.prescribed_force;
   out.history.plastic = plastic_on(from, state.history.plastic, to);
   out.history.contact = contact_on(from, state.history.contact, to);
   return out;

@@ -1,6 +1,8 @@
 // Small bodies with cracks that grow.
 #pragma once
 
+#include <cmath>
+
 #include "cleft/growth/evolution.hpp"
 
 namespace cleft::growth::bodies {
@@ -11,12 +13,19 @@ inline assembly::StepControls in_steps(int steps) {
   return controls;
 }
 
+inline Mat2 rotation(double angle) {
+  Mat2 R;
+  R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  return R;
+}
+
 /// A square of 1 m, Hencky with E = 1e10 Pa and nu = 0.25, whose bottom is held and whose top moves.
 struct Square {
   std::vector<geometry::Crack> cracks;
   std::array<int, 2> cells{10, 10};
   geometry::Diagonal diagonal = geometry::Diagonal::Left;
   Vec2 top{0.0, 0.01};  ///< metres at full load
+  double turn = 0.0;    ///< of all that is held, about the origin, on top of the rest; radians at full load
   double friction = 0.1;
   bool mortar = false;  ///< contact by multipliers instead of springs
   assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)};
@@ -51,8 +60,8 @@ struct Square {
       for (std::size_t k = 0, nodes = unknowns.size(); k < nodes; ++k)
         if (m.unknowns.ghost[unknowns[k]] != kNone) unknowns.push_back(m.unknowns.ghost[unknowns[k]]);
       m.prescribed.push_back(
-          {on, unknowns, {true, true}, [at_full_load](const Vec2&, geometry::MaybeSide, double load) {
-             return Vec2(load * at_full_load);
+          {on, unknowns, {true, true}, [at_full_load, turn = turn](const Vec2& X, geometry::MaybeSide, double load) {
+             return Vec2(rotation(turn * load) * (X + load * at_full_load) - X);
            }});
     };
     hold("bottom", {0, 0});

@@ -178,5 +178,43 @@ TEST(HoopStress, OfAnOpenCrackLeadsStraightOn) {
   EXPECT_NEAR(std::atan2(demand.ahead.y(), demand.ahead.x()) / kDegree, 0.0, 3.0);
 }
 
+bodies::Square enriched_edge_crack(double length) {
+  auto square = bodies::edge_crack();
+  square.cracks[0].points[1].x() = length;
+  square.cracks[0].tip_radius = 0.2;
+  square.cells = {16, 16};
+  return square;
+}
+
+TEST(HoopStress, HasNoAnswerWithinHalfAnElementOfTheBoundary) {
+  for (const double length : {0.95, 0.98}) {  // 0.8 and 0.32 elements away
+    Evolution body(enriched_edge_crack(length)(), bodies::in_steps(1));
+    ASSERT_FALSE(bodies::run(body).failure);
+    const Demand demand = HoopStress{1e7}.judge(body.stepper().equilibrium(), {0, 1});
+    EXPECT_NEAR(demand.elements, (1.0 - length) * 16.0, 1e-9);
+    EXPECT_EQ(std::isnan(demand.measure), length > 0.96);
+    EXPECT_EQ(std::isnan(demand.intensities.K_I), length > 0.96);
+    Evolution grows = enriched_edge_crack(length).evolution({.criterion = HoopStress{1e12}, .advance = 0.1}, 1);
+    const auto history = bodies::run(grows);
+    EXPECT_EQ(history.failure.has_value(), length > 0.96);
+    if (history.failure) {
+      EXPECT_NE(history.failure->place.find(HoopStress::kNoAnswer), std::string::npos);
+    }
+  }
+}
+
+TEST(HoopStress, AnAdvanceThatWouldLeaveHalfAnElementCutsThrough) {
+  for (const auto& [advance, stop] : {std::pair{0.10, Stop::Most}, {0.185, Stop::Boundary}}) {
+    Evolution body =
+        enriched_edge_crack(0.8).evolution({.criterion = HoopStress{1e7}, .advance = advance, .most = 1}, 2);
+    const auto history = bodies::run(body);
+    ASSERT_FALSE(history.failure) << assembly::describe(*history.failure);
+    const auto advances = history.advances();
+    ASSERT_EQ(advances.size(), 1U);
+    EXPECT_EQ(advances[0].stop, stop);
+    EXPECT_EQ(advances[0].point.x() == 1.0, stop == Stop::Boundary);
+  }
+}
+
 }  // namespace
 }  // namespace cleft::growth

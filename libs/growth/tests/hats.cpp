@@ -33,7 +33,7 @@ TEST(HatTransfer, ToTheSameCrackChangesNothing) {
   EXPECT_EQ(after.history.hats.status, before.status);
   EXPECT_LT((after.history.hats.multiplier - before.multiplier).norm(), 1e-12 * before.multiplier.norm());
   EXPECT_LT((after.displacement - slid.state.displacement).norm(), 1e-14);
-  EXPECT_EQ(after.history.hats.force, before.force);
+  EXPECT_EQ(after.history.hats.slope, before.slope);
   ASSERT_EQ(after.history.hats.trails.size(), before.trails.size());
   for (std::size_t k = 0; k < before.trails.size(); ++k) {
     const auto &a = after.history.hats.trails[k], &b = before.trails[k];

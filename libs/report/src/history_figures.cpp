@@ -110,6 +110,7 @@ const std::vector<Plot>& plots() {
         {"elastic_energy", "elastic"},
         {"contact_energy", "contact"},
         {"friction_dissipation", "friction"},
+        {"contact_pressure_work", "contact pressure"},
         {"plastic_dissipation", "plastic"},
         {"viscous_dissipation", "viscous"},
         {"released_energy", "released by growth"}},

@@ -26,7 +26,10 @@ constexpr std::array kQuantities{
     Quantity{"pressure", "Contact pressure", "Cauchy pressure", "Pa",
              "Per current area of the face, positive in compression."},
     Quantity{"slip", "Slip", "cumulative slip", "m", "All sliding so far; it stays with a point that opens."},
-    Quantity{"gap", "Gap", "gap", "m", "Below 0 the faces overlap; no value where nothing is opposite."}};
+    Quantity{"gap", "Gap", "gap", "m", "Below 0 the faces overlap; no value where nothing is opposite."},
+    Quantity{"opening", "Opening", "opening", "m", "Distance of the faces, 0 where they touch."},
+    Quantity{"jump_t", "Tangential jump", "tangential jump", "m",
+             "By which the left face has moved along the crack's direction past the right one, open or closed."}};
 
 // The rows of one output and face.
 struct Part {
@@ -70,6 +73,11 @@ std::vector<double> pick(const std::vector<double>& values, const std::vector<st
   return out;
 }
 
+// A run of an earlier version may lack a column.
+bool has(const scene::CsvTable& table, const char* column) {
+  return std::ranges::find(table.header, column) != table.header.end();
+}
+
 // Colours tell outputs of runs apart, dashes the faces.
 std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
   constexpr std::size_t kMostOutputs = 6, kMarks = 80;
@@ -77,7 +85,7 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& cr
   int colour = -1;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const auto& c : runs[r].cracks) {
-      if (c.name != crack) continue;
+      if (c.name != crack || !has(c.profile, q.column)) continue;
       const Profile profile{c.profile, runs[r].directory + "/crack_" + crack + ".csv"};
       const auto s = profile.column("s"), y = profile.column(q.column);
       std::string output;
@@ -94,6 +102,12 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& cr
       }
     }
   return curves;
+}
+
+bool in_any(const std::vector<Run>& runs, const std::string& crack, const char* column) {
+  return std::ranges::any_of(runs, [&](const Run& run) {
+    return std::ranges::any_of(run.cracks, [&](const auto& c) { return c.name == crack && has(c.profile, column); });
+  });
 }
 
 PageFigure figure_of(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
@@ -134,7 +148,8 @@ PageFigures profile_figures(const std::vector<Run>& runs) {
     for (const auto& crack : run.cracks) cracks.insert(crack.name);
   PageFigures figures;
   for (const auto& crack : cracks)
-    for (const auto& q : kQuantities) figures.push_back(figure_of(runs, crack, q));
+    for (const auto& q : kQuantities)
+      if (in_any(runs, crack, q.column)) figures.push_back(figure_of(runs, crack, q));
   return figures;
 }
 

@@ -34,6 +34,7 @@ class BulkGrid {
   }
 
   VtuGrid take() {
+    for (Vec2& place : grid_.points) place = m_.in_scene(place);
     grid_.point_data = {u_};
     grid_.cell_data = {stress_, mean_, largest_};
     if (!state_.history.plastic.empty()) grid_.cell_data.insert(grid_.cell_data.end(), {strain_, ellipticity_, angle_});

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 8\n";
+constexpr char kMagic[] = "cleft checkpoint 11\n";
 
 struct Writer {
   std::string out;
@@ -75,6 +75,7 @@ void pass(Io& io, growth::Record& g) {
     io(due.demand.ahead.y());
     io(due.demand.stress);
     io(due.demand.intensities);
+    io(due.demand.elements);
   });
   io(g.measure);
   io(g.beyond);
@@ -105,8 +106,9 @@ void pass(Io& io, Checkpoint& c) {
   auto& hats = s.history.hats;
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
+  pass(io, hats.mismatch);
   pass(io, hats.coverage, io);
-  pass(io, hats.force);
+  pass(io, hats.slope, io);
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);
@@ -117,8 +119,10 @@ void pass(Io& io, Checkpoint& c) {
   });
   io(s.energies);
   pass(io, s.prescribed_force);
+  io(s.largest_force);
   io(s.previous_load);
   pass(io, s.previous_displacement);
+  pass(io, s.previous_prescribed_force);
   pass(io, s.progress);
   io(c.place.number);
   io(c.place.step);
@@ -129,6 +133,7 @@ void pass(Io& io, Checkpoint& c) {
   io(c.iterations);
   io(c.cuts);
   io(c.worst_residual);
+  io(c.rounded);
   io(c.seconds);
   std::vector<std::pair<std::string, std::uint64_t>> logs(c.log_bytes.begin(), c.log_bytes.end());
   pass(io, logs, [&](auto& entry) {

@@ -5,13 +5,14 @@
 #include <numbers>
 
 #include "fields.hpp"
+#include "local.hpp"
 
 namespace cleft::scene {
 namespace {
 
 struct Registered {
   const char* name;
-  Field (*make)(const FieldSpec& spec, const constitutive::Lame& constants);
+  Field (*make)(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
   FieldLoads loads;
   bool has_sides;  // of a crack along the parameter `angle`
 };
@@ -48,13 +49,17 @@ Parameters::Parameters(const FieldSpec& s, std::map<std::string, double> default
   }
 }
 
+Vec2 Parameters::place(const char* x, const char* y, const Vec2& origin) const {
+  return count_from(origin, {values.at(x), values.at(y)});
+}
+
 Frame::Frame(const Vec2& at, double degrees) : origin(at) {
   const double angle = degrees * std::numbers::pi / 180.0;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
 }
 
-Field make_field(const FieldSpec& spec, const constitutive::Lame& constants) {
-  return find(spec).make(spec, constants);
+Field make_field(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin) {
+  return find(spec).make(spec, constants, origin);
 }
 
 FieldLoads loads_of(const FieldSpec& spec) { return find(spec).loads; }

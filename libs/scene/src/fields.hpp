@@ -1,4 +1,4 @@
-// The makers of the registered fields.
+// The makers of the registered fields, which are asked at places that count from `origin`.
 #pragma once
 
 #include "cleft/scene/field.hpp"
@@ -12,6 +12,8 @@ struct Parameters {
 
   Parameters(const FieldSpec& s, std::map<std::string, double> defaults);
   double operator()(const char* key) const { return values.at(key); }
+  /// A place whose coordinates are two of them, counted from `origin`.
+  Vec2 place(const char* x, const char* y, const Vec2& origin) const;
 };
 
 /// A frame with its first axis turned by `degrees` against x.
@@ -22,11 +24,11 @@ struct Frame {
   Vec2 local(const Vec2& X) const { return turn.transpose() * (X - origin); }
 };
 
-Field mode_one(const FieldSpec& spec, const constitutive::Lame& constants);
-Field mode_two(const FieldSpec& spec, const constitutive::Lame& constants);
-Field closed_crack(const FieldSpec& spec, const constitutive::Lame& constants);
-Field open_crack(const FieldSpec& spec, const constitutive::Lame& constants);
-Field waves(const FieldSpec& spec, const constitutive::Lame& constants);
-Field parted_waves(const FieldSpec& spec, const constitutive::Lame& constants);
+Field mode_one(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
+Field mode_two(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
+Field closed_crack(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
+Field open_crack(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
+Field waves(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
+Field parted_waves(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin);
 
 }  // namespace cleft::scene

@@ -59,7 +59,7 @@ double half_length_of(const Parameters& p) {
 
 // The uniform stress that the crack transmits, its normal part and the shear up to friction, and on top of it the shear
 // in excess as the remote load of a crack with free faces.
-Field closed_crack(const FieldSpec& spec, const constitutive::Lame& c) {
+Field closed_crack(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin) {
   const Parameters p(spec, {{"center_x", 0.0},
                             {"center_y", 0.0},
                             {"angle", 0.0},
@@ -70,7 +70,7 @@ Field closed_crack(const FieldSpec& spec, const constitutive::Lame& c) {
   const double a = half_length_of(p), poisson = poisson_of(c), twice_mu = 2.0 * c.mu;
   if (p("sigma_n") > 0.0) refuse(p, "sigma_n", "tension opens the crack; allowed: 0 or less, Pa");
   if (p("friction") < 0.0) refuse(p, "friction", "not a coefficient of friction; allowed: 0 or greater");
-  const Frame frame(Vec2(p("center_x"), p("center_y")), p("angle"));
+  const Frame frame(p.place("center_x", "center_y", origin), p("angle"));
   const double normal = p("sigma_n"), shear = p("tau");
   const double carried = std::copysign(std::min(std::fabs(shear), -p("friction") * normal), shear);
   const RemoteStress transmitted{.normal = normal, .shear = carried}, excess{.shear = shear - carried};
@@ -82,7 +82,7 @@ Field closed_crack(const FieldSpec& spec, const constitutive::Lame& c) {
   };
 }
 
-Field open_crack(const FieldSpec& spec, const constitutive::Lame& c) {
+Field open_crack(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin) {
   const Parameters p(spec, {{"center_x", 0.0},
                             {"center_y", 0.0},
                             {"angle", 0.0},
@@ -92,7 +92,7 @@ Field open_crack(const FieldSpec& spec, const constitutive::Lame& c) {
                             {"sigma_t", 0.0}});
   const double a = half_length_of(p), poisson = poisson_of(c), twice_mu = 2.0 * c.mu;
   if (!(p("sigma_n") > 0.0)) refuse(p, "sigma_n", "only tension opens the crack; allowed: a positive number, Pa");
-  const Frame frame(Vec2(p("center_x"), p("center_y")), p("angle"));
+  const Frame frame(p.place("center_x", "center_y", origin), p("angle"));
   const RemoteStress remote{p("sigma_t"), p("sigma_n"), p("tau")};
   return [=](const Vec2& X, geometry::MaybeSide side) -> Vec2 {
     return frame.turn * relieved(remote, a, poisson, frame.local(X), side) / twice_mu;

@@ -131,8 +131,8 @@ VecX face_force(const assembly::Model& m, const FaceTraction& traction) {
 std::vector<double> kinks_of(const Scene& scene) {
   std::vector<double> all;
   const auto add = [&](const Amplitude& amplitude) {
-    for (const auto& [load, factor] : amplitude.points)
-      if (load > 0.0 && load < 1.0) all.push_back(load);
+    const auto turns = amplitude.turns();
+    all.insert(all.end(), turns.begin(), turns.end());
   };
   for (const auto& b : scene.boundaries) {
     add(b.amplitude);

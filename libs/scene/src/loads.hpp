@@ -35,7 +35,7 @@ struct BulkPoint {
 /// Visits the quadrature points of every cell, and those of the tips.
 void for_each_point(const assembly::Model& model, const std::function<void(const BulkPoint&)>& visit);
 
-/// Loads between 0 and 1 at which an amplitude turns, ascending.
+/// Loads between 0 and 1 at which an amplitude turns, of boundaries, rotations, tractions and gravity, ascending.
 std::vector<double> kinks_of(const Scene& scene);
 
 }  // namespace cleft::scene

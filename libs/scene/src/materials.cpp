@@ -141,9 +141,8 @@ void fill_with_materials(const Scene& scene, assembly::Model& m) {
   for (Index p = 0; p < static_cast<Index>(m.material_points()); ++p) {
     const auto point = assembly::material_point(m, p);
     const auto fail = [&](const std::string& problem) {
-      throw InputError(
-          scene.materials.front().at, "material",
-          fmt::format("the body at ({:.6g}, {:.6g}) {}", point.reference.x(), point.reference.y(), problem));
+      throw InputError(scene.materials.front().at, "material",
+                       fmt::format("the body at {} {}", m.words_for(point.reference), problem));
     };
     for (const auto& [number, claim] : claims) {
       if (!claim.holds(point)) continue;

@@ -32,7 +32,7 @@ std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, double si
   }
 }
 
-geometry::Mesh make(const StructuredMesh& spec, const Scene&) {
+geometry::Mesh fill(const StructuredMesh& spec, const Scene&) {
   if (!spec.focus) return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal);
   const auto lines = [&](int k) {
     const auto& box = spec.focus->box;
@@ -41,7 +41,7 @@ geometry::Mesh make(const StructuredMesh& spec, const Scene&) {
   return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
 }
 
-geometry::Mesh make(const DelaunayMesh& spec, const Scene& scene) {
+geometry::Mesh fill(const DelaunayMesh& spec, const Scene& scene) {
   geometry::SizeField size{spec.size / spec.refine, spec.gradation, {}};
   const double along = spec.crack_size / spec.refine, at_tip = spec.tip_size / spec.refine;
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
@@ -53,13 +53,40 @@ geometry::Mesh make(const DelaunayMesh& spec, const Scene& scene) {
   return geometry::delaunay_mesh(spec.outline, size);
 }
 
-geometry::Mesh make(const GmshMesh& spec, const Scene&) { return geometry::read_gmsh(spec.file); }
+using Box = std::array<Vec2, 2>;  // lower left and upper right corner
+
+Box box_of(const StructuredMesh& spec) { return {Vec2(spec.box[0], spec.box[1]), Vec2(spec.box[2], spec.box[3])}; }
+
+Box box_of(const DelaunayMesh& spec) {
+  const auto& points = spec.outline.outer.points;
+  Box out{points.front(), points.front()};
+  for (const Vec2& point : points) out = {out[0].cwiseMin(point), out[1].cwiseMax(point)};
+  return out;
+}
+
+// The coordinates come first, so that nothing is computed far from the origin.
+template <class Spec>
+MeshedScene make(const Spec& spec, const Scene& scene) {
+  const auto [low, high] = box_of(spec);
+  auto local = relative_to(local_origin(low, high), scene);
+  auto mesh = fill(std::get<Spec>(local.scene.mesh.kind), local.scene);
+  return {std::move(local), std::move(mesh)};
+}
+
+MeshedScene make(const GmshMesh& spec, const Scene& scene) {
+  auto mesh = geometry::read_gmsh(spec.file);
+  const auto [low, high] = geometry::box_around(mesh);
+  auto local = relative_to(local_origin(low, high), scene);
+  if (local.origin != Vec2::Zero())
+    for (Vec2& node : mesh.nodes) node = count_from(local.origin, node);
+  return {std::move(local), std::move(mesh)};
+}
 
 }  // namespace
 
 double element_size(const geometry::Mesh& mesh, Index t) { return std::sqrt(2.0 * geometry::triangle_area(mesh, t)); }
 
-geometry::Mesh make_mesh(const Scene& scene) {
+MeshedScene make_mesh(const Scene& scene) {
   try {
     return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
   } catch (const InputError& error) {

@@ -2,15 +2,21 @@
 #pragma once
 
 #include "cleft/geometry/crack.hpp"
-#include "cleft/scene/description.hpp"
+#include "local.hpp"
 
 namespace cleft::scene {
 
 /// Side of a square of two such triangles, metres.
 double element_size(const geometry::Mesh& mesh, Index t);
 
+/// A scene in the coordinates of its mesh.
+struct MeshedScene {
+  LocalScene local;
+  geometry::Mesh mesh;
+};
+
 /// Throws InputError, located in the scene, where sizes ask for too many nodes or a file holds no mesh.
-geometry::Mesh make_mesh(const Scene& scene);
+MeshedScene make_mesh(const Scene& scene);
 
 /// Curves are sampled so finely that the polyline is within 0.01 of the smallest element of them.
 std::vector<geometry::Crack> make_cracks(const Scene& scene, const geometry::Mesh& mesh);

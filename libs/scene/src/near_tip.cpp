@@ -15,9 +15,9 @@ double angle_of(const Vec2& local, geometry::MaybeSide side) {
   return angle > 0.0 ? angle - 2.0 * std::numbers::pi : angle;
 }
 
-Field near_tip(const FieldSpec& spec, const constitutive::Lame& c, bool opening) {
+Field near_tip(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin, bool opening) {
   const Parameters p(spec, {{"tip_x", 0.0}, {"tip_y", 0.0}, {"angle", 0.0}, {"K", 1e6}});
-  const Frame frame(Vec2(p("tip_x"), p("tip_y")), p("angle"));
+  const Frame frame(p.place("tip_x", "tip_y", origin), p("angle"));
   const double poisson = c.lambda / (2.0 * (c.lambda + c.mu));
   const double kappa = 3.0 - 4.0 * poisson;
   const double factor = p("K") / (2.0 * c.mu);
@@ -34,7 +34,11 @@ Field near_tip(const FieldSpec& spec, const constitutive::Lame& c, bool opening)
 
 }  // namespace
 
-Field mode_one(const FieldSpec& spec, const constitutive::Lame& c) { return near_tip(spec, c, true); }
-Field mode_two(const FieldSpec& spec, const constitutive::Lame& c) { return near_tip(spec, c, false); }
+Field mode_one(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin) {
+  return near_tip(spec, c, origin, true);
+}
+Field mode_two(const FieldSpec& spec, const constitutive::Lame& c, const Vec2& origin) {
+  return near_tip(spec, c, origin, false);
+}
 
 }  // namespace cleft::scene

@@ -15,6 +15,7 @@
 #include "materials.hpp"
 #include "meshing.hpp"
 #include "supports.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -106,12 +107,14 @@ std::vector<Index> prescribed_unknowns(const assembly::Model& m, std::vector<Ind
 }
 
 std::function<Vec2(const Vec2&, geometry::MaybeSide, double)> displacement_of(const BoundarySpec& b,
-                                                                              const constitutive::Lame& constants) {
-  const Field field = b.field ? make_field(*b.field, constants) : Field{};
-  return [b, field](const Vec2& X, geometry::MaybeSide side, double load) -> Vec2 {
+                                                                              const constitutive::Lame& constants,
+                                                                              const Vec2& origin) {
+  const Field field = b.field ? make_field(*b.field, constants, origin) : Field{};
+  const Vec2 far = b.affine ? Vec2(*b.affine * origin) : Vec2::Zero();
+  return [b, field, far](const Vec2& X, geometry::MaybeSide side, double load) -> Vec2 {
     const double factor = b.amplitude(load);
     Vec2 u(b.ux.value_or(0.0), b.uy.value_or(0.0));
-    if (b.affine) u = *b.affine * X;
+    if (b.affine) u = *b.affine * X + far;
     if (field) u = field(X, side);
     u *= factor;
     if (!b.rotation) return u;
@@ -187,10 +190,11 @@ void refuse_contradictions(const Scene& scene, const assembly::Model& m) {
           if (std::fabs(value - other) > kTolerance * extent)
             throw InputError(
                 scene.boundaries[p].at, fmt::format("boundary[{}] '{}'", p, scene.boundaries[p].name),
-                fmt::format("prescribes u{0} = {1:.10g} m at the node ({2:.6g}, {3:.6g}) at load {4:.6g}, where "
-                            "boundary[{5}] '{6}' prescribes u{0} = {7:.10g} m; allowed: equal values at shared "
+                fmt::format("prescribes u{0} = {1:.10g} m at the node {2} at load {3:.6g}, where "
+                            "boundary[{4}] '{5}' prescribes u{0} = {6:.10g} m; allowed: equal values at shared "
                             "nodes, or u{0} on one of the two only",
-                            i == 0 ? "x" : "y", value, X.x(), X.y(), load, first, scene.boundaries[first].name, other));
+                            i == 0 ? "x" : "y", value, m.words_for(X), load, first, scene.boundaries[first].name,
+                            other));
         }
       }
 }
@@ -252,9 +256,11 @@ void refuse_idle_growth(const Scene& scene, const assembly::Model& m) {
   }
 }
 
-assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<geometry::Crack> cracks,
+assembly::Model discretise(const LocalScene& local, geometry::Mesh mesh, std::vector<geometry::Crack> cracks,
                            const std::vector<contact::Law>& earlier) {
+  const Scene& scene = local.scene;
   assembly::Model m;
+  m.origin = local.origin;
   m.mesh = std::move(mesh);
   m.cracks = std::move(cracks);
   m.cut = cut_located(scene, m.mesh, m.cracks);
@@ -274,7 +280,7 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
     if (!b.box) require_boundary(m.mesh, b.on, b.at, fmt::format("boundary[{}].on", k));
     auto nodes = b.box ? geometry::nodes_in_box(m.mesh, *b.box) : geometry::boundary_nodes(m.mesh, b.on);
     assembly::Prescribed p{b.name, prescribed_unknowns(m, std::move(nodes)), b.components(),
-                           displacement_of(b, constants)};
+                           displacement_of(b, constants, m.origin)};
     if (p.unknowns.empty())
       throw InputError(b.at, fmt::format("boundary[{}].box", k),
                        "no node lies in the box; allowed: a box around at least one node");
@@ -294,11 +300,10 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
         [force = traction_force(m, t.on, t.value), a = t.amplitude](double load) -> VecX { return a(load) * force; });
   if (scene.gravity) {
     const Vec2 density = scene.gravity->density * scene.gravity->value;
-    m.dead_loads.push_back([force = body_force(m,
-                                               [density](const Vec2&, geometry::MaybeSide) -> Vec2 {
-                                                 return {density.x(), density.y()};
-                                               }),
-                            a = scene.gravity->amplitude](double load) -> VecX { return a(load) * force; });
+    const auto a = scene.gravity->amplitude;
+    const VecX force = body_force(m, [density](const Vec2&, geometry::MaybeSide) -> Vec2 { return density; });
+    m.dead_loads.push_back([force, a](double load) -> VecX { return a(load) * force; });
+    m.body_force = [density, a](double load) -> Vec2 { return a(load) * density; };
   }
   if (scene.exact) {
     (void)make_field(*scene.exact, constants);  // its parameters are wrong now or not at all
@@ -311,10 +316,11 @@ assembly::Model discretise(const Scene& scene, geometry::Mesh mesh, std::vector<
 }  // namespace
 
 assembly::Model build_model(const Scene& scene) {
-  auto mesh = make_mesh(scene);
-  auto cracks = make_cracks(scene, mesh);
-  auto m = discretise(scene, std::move(mesh), std::move(cracks), {});
+  auto [local, mesh] = make_mesh(scene);
+  auto cracks = make_cracks(local.scene, mesh);
+  auto m = discretise(local, std::move(mesh), std::move(cracks), {});
   refuse_idle_growth(scene, m);
+  refuse_narrow_tips(scene, m);
   return m;
 }
 
@@ -322,9 +328,9 @@ growth::Evolution make_evolution(const Scene& scene, assembly::Model model) {
   std::vector<std::optional<growth::Law>> laws;
   for (const auto& crack : scene.cracks) laws.push_back(crack.growth);
   if (!grows(scene)) return {std::move(model), step_controls(scene)};
-  const auto recut = [scene, mesh = model.mesh,
+  const auto recut = [local = relative_to(model.origin, scene), mesh = model.mesh,
                       penalties = model.surfaces.laws](const std::vector<geometry::Crack>& cracks) {
-    return discretise(scene, mesh, cracks, penalties);
+    return discretise(local, mesh, cracks, penalties);
   };
   return {std::move(model), step_controls(scene), std::move(laws), recut};
 }

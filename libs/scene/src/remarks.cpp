@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
 #include "cleft/geometry/distance.hpp"
 #include "cleft/scene/problem.hpp"
 #include "meshing.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -27,8 +29,6 @@ constexpr double kIncompressible = 0.49;            // Poisson's ratio
 constexpr double kRough = 2.0;                      // coefficient of friction
 constexpr double kSoftest = 1e3, kStiffest = 1e13;  // Young's modulus, Pa: from gels to diamond
 constexpr double kHeavy = 0.1;                      // traction over Young's modulus
-
-std::string at(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
 
 // The edges of the boundary.
 struct Outline {
@@ -55,35 +55,36 @@ double size_at(const geometry::Mesh& mesh, const Vec2& x) {
   return out;
 }
 
-void about_moved_end(const geometry::Mesh& mesh, const std::string& crack, const geometry::CrackEnd& end, Lines& out) {
+void about_moved_end(const assembly::Model& model, const std::string& crack, const geometry::CrackEnd& end,
+                     Lines& out) {
   if (end.nominal == end.effective) return;
-  if (end.kind == geometry::CrackEnd::Kind::Mouth && geometry::covers(mesh, end.nominal))
+  if (end.kind == geometry::CrackEnd::Kind::Mouth && geometry::covers(model.mesh, end.nominal))
     out.push_back(fmt::format("{}: the tip {} lies in an element at the boundary; the crack cuts through to {}", crack,
-                              at(end.nominal), at(end.effective)));
+                              model.words_for(end.nominal), model.words_for(end.effective)));
   else if (end.kind == geometry::CrackEnd::Kind::Tip)
     out.push_back(fmt::format("{}: the tip {} lies inside an element; the cut ends on its edge at {}", crack,
-                              at(end.nominal), at(end.effective)));
+                              model.words_for(end.nominal), model.words_for(end.effective)));
   else
-    out.push_back(
-        fmt::format("{}: the point {} lies outside of the body; the cut ends at the boundary, at {}, {:.3g} m "
-                    "short of it",
-                    crack, at(end.nominal), at(end.effective), (end.nominal - end.effective).norm()));
+    out.push_back(fmt::format(
+        "{}: the point {} lies outside of the body; the cut ends at the boundary, at {}, {:.3g} m "
+        "short of it",
+        crack, model.words_for(end.nominal), model.words_for(end.effective), (end.nominal - end.effective).norm()));
 }
 
-void about_tip(const geometry::Mesh& mesh, const Outline& outline, const std::string& crack,
-               const geometry::CrackEnd& end, double ball, Lines& out) {
+void about_tip(const assembly::Model& model, const Outline& outline, const std::string& crack,
+               const geometry::CrackEnd& end, double ball, bool intensities, Lines& out) {
   if (end.kind != geometry::CrackEnd::Kind::Tip) return;
-  const double size = size_at(mesh, end.effective), away = outline.distance(end.effective);
+  const double size = size_at(model.mesh, end.effective), away = outline.distance(end.effective);
   if (away < kNear * size)
     out.push_back(
         fmt::format("{}: only {:.2g} element sizes lie between the tip {} and the boundary, too few to carry "
                     "what is left of the body there; a finer mesh there, or a crack that cuts through",
-                    crack, away / size, at(end.effective)));
-  if (ball > 0.0 && ball < kSmallBall * size)
+                    crack, away / size, model.words_for(end.effective)));
+  if (ball > 0.0 && !intensities && ball < kSmallBall * size)
     out.push_back(
         fmt::format("{}: the ball of {:.3g} m around the tip {} is {:.2g} element sizes in radius; at least 3 "
                     "are needed for intensities within 1 %",
-                    crack, ball, at(end.effective), ball / size));
+                    crack, ball, model.words_for(end.effective), ball / size));
 }
 
 void about_growth(const CrackSpec& spec, const std::string& crack, double size, double ball, Lines& out) {
@@ -131,8 +132,9 @@ void about_crack(const Scene& scene, const assembly::Model& model, const Outline
   const auto& spec = scene.cracks[k];
   const std::string crack = "crack '" + spec.name + "'";
   const auto& ends = model.cut.cracks[k].ends;
-  for (const auto& end : ends) about_moved_end(model.mesh, crack, end, out);
-  for (const auto& end : ends) about_tip(model.mesh, outline, crack, end, scene.tip_enrichment, out);
+  for (const auto& end : ends) about_moved_end(model, crack, end, out);
+  for (const int e : {0, 1})
+    about_tip(model, outline, crack, ends[e], scene.tip_enrichment, asks_for_intensities(spec, e), out);
   double within = 0.0;
   for (Index s = model.cut.cracks[k].first_segment; s < model.cut.cracks[k].last_segment; ++s)
     within += model.cut.segments[s].s_end - model.cut.segments[s].s_start;
@@ -200,6 +202,7 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
     const Outline outline(model.mesh);
     for (std::size_t k = 0; k < scene.cracks.size(); ++k) about_crack(scene, model, outline, k, size[k], scale[k], out);
   }
+  std::ranges::copy(remarks_on_reach(scene, model, true), std::back_inserter(out));
   for (const auto& material : scene.materials) about_material(scene, material, out);
   const double extent = extent_of(model.mesh);
   for (const auto& b : scene.boundaries) about_boundary(b, extent, out);

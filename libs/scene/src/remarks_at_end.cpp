@@ -15,13 +15,14 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr double kDeep = 0.1;         // elements
-constexpr double kUnbalanced = 0.01;  // of the work
+constexpr double kUnbalanced = 0.01;  // of the largest energy
 constexpr double kOscillates =
     0.15;                         // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
 constexpr double kInner = 0.8;    // of the contact, away from its ends
 constexpr double kFlows = 0.05;   // of the work
 constexpr double kZigzag = 30.0;  // degrees
-constexpr double kDilates = 0.1;  // dilatancy below which the volume hardly changes
+constexpr double kAboveRounding = 10.0;  // times it: forces that are less may be nothing else
+constexpr double kDilates = 0.1;         // dilatancy below which the volume hardly changes
 
 void about_overlap(const assembly::LoadStepper& stepper, Lines& out) {
   const auto& surfaces = stepper.model().surfaces;
@@ -56,15 +57,9 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   }
 }
 
-// What takes part in the balance; large where works of both signs cancel.
-double turnover(const assembly::Energies& e) {
-  return std::max({std::fabs(e.external_work), std::fabs(e.elastic), std::fabs(e.contact),
-                   std::fabs(e.friction_dissipation), std::fabs(e.plastic_dissipation), std::fabs(e.released)});
-}
-
 void about_energy(const Scene& scene, const assembly::Energies& e, Lines& out) {
-  const double off = std::fabs(e.imbalance()) / turnover(e);
-  if (off > kUnbalanced)
+  const double off = e.relative_imbalance();
+  if (off >= kUnbalanced)
     out.push_back(fmt::format("{:.2g} % of the energy are not accounted for; {}", 100.0 * off,
                               scene.f_bar ? "with f_bar up to 6 % have been seen, beyond these smaller increments "
                                             "(loading.steps) help"
@@ -76,7 +71,7 @@ bool keeps_its_volume(const MaterialSpec& m) {
 }
 
 void about_flow(const Scene& scene, const assembly::Energies& e, Lines& out) {
-  const double share = e.plastic_dissipation / turnover(e);
+  const double share = e.plastic_dissipation / e.largest;
   if (scene.f_bar || !(share > kFlows) || std::ranges::none_of(scene.materials, keeps_its_volume)) return;
   out.push_back(
       fmt::format("{:.2g} % of the work went into flow that hardly changes the volume, in which triangles "
@@ -153,6 +148,24 @@ std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::Load
   about_pressure(scene, stepper, out);
   about_energy(scene, stepper.state().energies, out);
   about_flow(scene, stepper.state().energies, out);
+  return out;
+}
+
+std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper) {
+  Lines out;
+  if (rounded.increments > 0)
+    out.push_back(fmt::format(
+        "rounding ended {} of the increments, at worst at load {:.6g} with a residual of {:.1e} of the forces, which "
+        "are "
+        "known no better than that; a softer penalty or material, or displacements that move the body less as a whole",
+        rounded.increments, rounded.load, rounded.worst));
+  const double force = stepper.state().largest_force,
+               rounding = assembly::rounding_floor(stepper.model(), stepper.state().displacement).total();
+  if (force > 0.0 && force <= kAboveRounding * rounding)
+    out.push_back(
+        fmt::format("no force of this run, up to {:.1e} N/m, is clearly above its rounding, {:.1e} N/m: the body bears "
+                    "nothing, or too little",
+                    force, rounding));
   return out;
 }
 

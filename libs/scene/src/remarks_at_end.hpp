@@ -9,6 +9,7 @@
 #include "cleft/assembly/stepping.hpp"
 #include "cleft/growth/evolution.hpp"
 #include "cleft/scene/description.hpp"
+#include "cleft/scene/run.hpp"
 
 namespace cleft::scene {
 
@@ -27,6 +28,9 @@ double worst_zone(std::vector<Pressed> along, double size);
 /// pressure that oscillates, energy that is not accounted for, flow in which triangles lock. Nothing before the first
 /// increment.
 std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
+
+/// On forces that rounding blurs: of some increments, or all of a body that bears next to nothing.
+std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper);
 
 /// On what cracks that may grow have done: none did, and how near one came; a tip that is hindered; a path that turns
 /// to and fro.

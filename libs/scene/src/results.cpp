@@ -81,6 +81,8 @@ std::vector<std::string> history_columns(const Scene& scene) {
   for (const auto& crack : scene.cracks)
     if (crack.intensities) std::ranges::copy(intensity_columns(crack.name), std::back_inserter(columns));
   if (grows(scene)) columns.emplace_back("released_energy");
+  if (!scene.cracks.empty()) columns.emplace_back("contact_pressure_work");
+  columns.emplace_back("energy_imbalance");
   return columns;
 }
 
@@ -92,10 +94,13 @@ Results::Results(const Scene& scene, std::string directory, const Checkpoint* re
        "rounding,gradient,chatters,kept\n",
        resumed);
   for (const auto& crack : scene.cracks)
-    open(crack_file(crack.name), "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step\n",
+    open(crack_file(crack.name),
+         "load,side,s,X,Y,x,y,gap,tn,tt,pressure,slip,status,partner_s,partner_pressure,step,"
+         "opening,jump_n,jump_t\n",
          resumed);
   if (grows(scene))
-    open("growth.csv", "step,load,crack,tip,advance,X,Y,length,angle,turn,stress,k1,k2,demand,released_energy,stop\n",
+    open("growth.csv",
+         "step,load,crack,tip,advance,X,Y,length,angle,turn,stress,k1,k2,demand,released_energy,stop,elements\n",
          resumed);
   if (resumed) outputs_ = resumed->outputs;
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
@@ -148,19 +153,23 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
     if (scene_.cracks[k].intensities)
       row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));
   if (grows(scene_)) row += fmt::format(",{}", e.released);
-  row += '\n';
+  if (!scene_.cracks.empty()) row += fmt::format(",{}", e.contact_pressure_work);
+  row += fmt::format(",{}\n", e.imbalance());
   logs_.at("history.csv").append(row);
-  if (!step.advances.empty()) add_advances(step);
+  if (!step.advances.empty()) add_advances(step, stepper.model());
 }
 
-void Results::add_advances(const growth::Step& step) {
+void Results::add_advances(const growth::Step& step, const assembly::Model& model) {
   std::string rows;
   double released = step.released;  // in the first row of a step, so that the column adds up
-  for (const auto& a : step.advances)
-    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
-                   step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, a.point.x(), a.point.y(),
+  for (const auto& a : step.advances) {
+    const Vec2 place = model.in_scene(a.point);
+    fmt::format_to(std::back_inserter(rows), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.number,
+                   step.load, scene_.cracks[a.tip.crack].name, kEnds[a.tip.end], a.number, place.x(), place.y(),
                    a.length, degrees(a.angle), degrees(a.turn), a.demand.stress, a.demand.intensities.K_I,
-                   a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop));
+                   a.demand.intensities.K_II, a.demand.measure, std::exchange(released, 0.0), name_of(a.stop),
+                   a.demand.elements);
+  }
   logs_.at("growth.csv").append(rows);
 }
 
@@ -169,15 +178,14 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
   const auto points = profile(stepper);
   std::map<Index, std::string> rows;
   for (const auto& q : points)
-    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", load,
-                   q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
+    fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                   load, q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
                    q.current.x(), q.current.y(), q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status),
-                   q.partner_s, q.partner_pressure, step.number);
+                   q.partner_s, q.partner_pressure, step.number, q.opening, q.jump_normal, q.jump_tangential);
   for (const auto& [crack, text] : rows) logs_.at(crack_file(scene_.cracks[crack].name)).append(text);
 
   const int number =
       static_cast<int>(std::count_if(outputs_.begin(), outputs_.end(), [](const PvdEntry& e) { return e.part == 0; }));
-  const auto& u = stepper.state().displacement;
   // ParaView shows one state at a time: those after growth at the same load follow a crumb later
   constexpr double kCrumb = 1e-9;
   const bool grown = !step.advances.empty() && !outputs_.empty();
@@ -187,7 +195,8 @@ void Results::add_fields(const growth::Step& step, const assembly::LoadStepper& 
     outputs_.push_back({time, part, file});
   };
   add(0, fmt::format("fields_{:04}.vtu", number), bulk_grid(stepper.model(), stepper.state()));
-  if (!points.empty()) add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), u, points));
+  if (!points.empty())
+    add(1, fmt::format("fields_cracks_{:04}.vtu", number), face_grid(stepper.model(), stepper.state(), points));
   write_atomically(path("fields.pvd"), pvd_text(outputs_));
 }
 

@@ -24,7 +24,7 @@ class Results {
   std::string path(const std::string& file) const { return directory_ + "/" + file; }
 
  private:
-  void add_advances(const growth::Step& step);
+  void add_advances(const growth::Step& step, const assembly::Model& model);
   void open(const std::string& file, const std::string& header, const Checkpoint* resumed);
 
   const Scene& scene_;

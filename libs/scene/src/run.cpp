@@ -17,6 +17,7 @@
 #include "remarks_at_end.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
+#include "tip_reach.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -83,6 +84,14 @@ struct Seconds {
   double cut = 0.0, write = 0.0;
 };
 
+void count(const growth::Step& step, Rounded& rounded) {
+  if (!(step.rounded > assembly::kUnnoticedResidual)) return;
+  ++rounded.increments;
+  if (step.rounded <= rounded.worst) return;
+  rounded.worst = step.rounded;
+  rounded.load = step.load;
+}
+
 // Where the cracks are that have grown, as CSV's growth.csv tells it advance by advance.
 nlohmann::ordered_json grown(const growth::Evolution& evolution) {
   nlohmann::ordered_json j;
@@ -90,7 +99,10 @@ nlohmann::ordered_json grown(const growth::Evolution& evolution) {
     const auto& tips = evolution.record().tips[c];
     auto& crack = j[evolution.model().cracks[c].name];
     crack["advances"] = std::array{tips[0].advances, tips[1].advances};
-    for (const Vec2& p : evolution.record().points[c]) crack["points"].push_back(std::array{p.x(), p.y()});
+    for (const Vec2& local : evolution.record().points[c]) {
+      const Vec2 p = evolution.model().in_scene(local);
+      crack["points"].push_back(std::array{p.x(), p.y()});
+    }
   }
   return j;
 }
@@ -146,7 +158,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
   if (scene.exact && result.end == RunResult::End::Done) {
-    const auto e = error_norms(model, make_field(*scene.exact, model.constants(0)), stepper.state().load,
+    const auto e = error_norms(model, make_field(*scene.exact, model.constants(0), model.origin), stepper.state().load,
                                stepper.state().displacement);
     j["error"] = {{"l2", e.l2},
                   {"l2_relative", e.l2 / e.l2_exact},
@@ -160,12 +172,12 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   return j;
 }
 
-std::string remark_on(const growth::Advance& a, const Scene& scene, double load) {
+std::string remark_on(const growth::Advance& a, const assembly::Model& model, double load) {
   const std::string tip =
-      fmt::format("crack '{}', {}", scene.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
+      fmt::format("crack '{}', {}", model.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
   if (a.length == 0.0) return fmt::format("{}: no advance at load {:.6g}: {}", tip, load, a.hindrance);
-  std::string out = fmt::format("{}: advance {} at load {:.6g} to ({:.6g}, {:.6g}), turned by {:.1f} degrees", tip,
-                                a.number, load, a.point.x(), a.point.y(), a.turn * 180.0 / std::numbers::pi);
+  std::string out = fmt::format("{}: advance {} at load {:.6g} to {}, turned by {:.1f} degrees", tip, a.number, load,
+                                model.words_for(a.point), a.turn * 180.0 / std::numbers::pi);
   if (a.stop == growth::Stop::Boundary) out += "; it cuts through the boundary";
   if (a.stop == growth::Stop::Hindered) out += "; no farther: " + a.hindrance;
   return out;
@@ -207,6 +219,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.iterations = kept.iterations;
   result.cuts = kept.cuts;
   result.worst_residual = kept.worst_residual;
+  result.rounded = kept.rounded;
   result.load = state().load;
   result.energies = state().energies;
   const double load_before = state().load;
@@ -228,10 +241,12 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   const auto keep = [&] {
     const auto& stepper = evolution.stepper();
-    const Checkpoint now{
-        solved_json(scene), stepper.state(), stepper.place(),       stepper.assembler().room(),     evolution.record(),
-        result.iterations,  result.cuts,     result.worst_residual, kept.seconds + clock.seconds(), results.log_bytes(),
-        results.outputs()};
+    const Checkpoint now{solved_json(scene),  stepper.state(),
+                         stepper.place(),     stepper.assembler().room(),
+                         evolution.record(),  result.iterations,
+                         result.cuts,         result.worst_residual,
+                         result.rounded,      kept.seconds + clock.seconds(),
+                         results.log_bytes(), results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
   if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
@@ -253,6 +268,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.iterations += static_cast<long>(step.iterations.size()) + step.iterations_before;
     result.cuts += step.cuts;
     result.worst_residual = std::max(result.worst_residual, step.left.residual);
+    count(step, result.rounded);
     auto residuals = step.iterations;
     residuals.push_back(step.left);
     if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
@@ -274,7 +290,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.energies = state().energies;
     tell(0, step.left.residual);
     if (options.remark)
-      for (const auto& advance : step.advances) options.remark(remark_on(advance, scene, step.load));
+      for (const auto& advance : step.advances) options.remark(remark_on(advance, evolution.model(), step.load));
   }
 
   for (const auto& tips : evolution.record().tips) result.advances += tips[0].advances + tips[1].advances;
@@ -282,7 +298,11 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
   result.remarks = remarks_at_end(scene, evolution.stepper());
+  for (auto& remark : remarks_on_rounding(result.rounded, evolution.stepper()))
+    result.remarks.push_back(std::move(remark));
   for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));
+  if (result.advances > 0)
+    for (auto& remark : remarks_on_reach(scene, evolution.model(), false)) result.remarks.push_back(std::move(remark));
   const auto solver = evolution.solver_seconds();
   result.yardstick = solver.factorise + solver.solve;
   const auto assembly = evolution.assembly_seconds();

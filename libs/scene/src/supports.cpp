@@ -85,9 +85,8 @@ std::optional<std::string> free_motion(const assembly::Model& m) {
   for (const auto& [part, hold] : holds)
     if (const char* missing = hold.missing()) {
       const Vec2& node = m.mesh.nodes[m.unknowns.node_of[hold.example]];
-      return holds.size() == 1
-                 ? fmt::format("the body {}", missing)
-                 : fmt::format("the part of the body with the node ({:.6g}, {:.6g}) {}", node.x(), node.y(), missing);
+      return holds.size() == 1 ? fmt::format("the body {}", missing)
+                               : fmt::format("the part of the body with the node {} {}", m.words_for(node), missing);
     }
   return std::nullopt;
 }

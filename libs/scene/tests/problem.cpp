@@ -39,6 +39,21 @@ TEST(Problem, AnAccuracySetsTolerancesUnlessTheyAreGiven) {
   EXPECT_EQ(controls_of({"solver.accuracy=1e-2", "solver.residual_tolerance=1e-10"}).newton.residual_tolerance, 1e-10);
 }
 
+TEST(Problem, HitsLoadsAtWhichAnAmplitudeTurns) {
+  const auto kinks_with = [](const std::vector<std::string>& overrides) {
+    return step_controls(scene_of(kBlock, overrides)).kinks;
+  };
+  EXPECT_TRUE(kinks_with({}).empty());
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0, 0], [0.3, 1], [1, 0.5]]"}), (std::vector{0.3}));
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0.1, 0], [0.7, 1]]"}), (std::vector{0.1, 0.7})) << "held outside";
+  EXPECT_EQ(kinks_with({"boundary.top.amplitude=[[0, 0], [0.1, 0.3], [0.2, 0.6], [1, 3]]"}), std::vector<double>{})
+      << "points on a line are no turns";
+  EXPECT_EQ(kinks_with({"boundary.top.rotation={center=[0, 0], degrees=1, amplitude=[[0, 0], [0.4, 1], [1, 0]]}"}),
+            (std::vector{0.4}));
+  EXPECT_EQ(kinks_with({"traction.0.amplitude=[[0, 0], [0.6, 1]]", "gravity.amplitude=[[0, 0], [0.5, 1]]"}),
+            (std::vector{0.5, 0.6}));
+}
+
 TEST(Problem, TakesIntegersThatADoubleCannotHoldExactly) {
   EXPECT_EQ(scene_of(kBlock, {"material.young=9007199254740993"}).materials.at(0).young, 9007199254740992.0);
 }
@@ -86,6 +101,39 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
       EXPECT_NEAR(error.location().line, line_of(text, mark), 1) << error.what();
     }
   }
+}
+
+TEST(Problem, RefusesIntensitiesWhereATipHasNone) {
+  const std::string text =
+      "[mesh]\nbox = [0, 0, 1, 1]\ncells = [16, 16]\n[material]\nmodel = \"hencky\"\nyoung = 1e9\npoisson = 0.25\n"
+      "[formulation]\ntip_enrichment = 0.12\n[[crack]]\nname = \"main\"\npoints = [[0, 0.43], [0.6, 0.43]]\n"
+      "intensities = true\n[[boundary]]\non = \"bottom\"\nux = 0.0\nuy = 0.0\n";
+  const auto refusal = [&](const std::string& from, const std::string& to) -> std::string {
+    try {
+      (void)build_model(scene_of(replaced(text, from, to)));
+    } catch (const InputError& error) {
+      return error.key() + ": " + error.problem();
+    }
+    return "accepted";
+  };
+  const std::string growth = "growth = { criterion = \"hoop-stress\", toughness = 1e6, advance = ",
+                    pin = "[[boundary]]\nname = \"pin\"\nux = 0.0\nbox = ", ask = "intensities = true\n";
+  EXPECT_EQ(refusal("0.6, 0.43", "0.95, 0.43"), "accepted");
+  EXPECT_EQ(refusal("0.6, 0.43", "0.98, 0.43"),
+            "crack[0] 'main': its stress intensity factors are asked for, but 0.02 m from the tip (0.98, 0.43), 0.32 "
+            "element sizes, the body ends; allowed: at least half an element size, 0.0312 m");
+  EXPECT_EQ(refusal("[0.6, 0.43]", "[0.6, 0.43], [0.62, 0.44]").find("crack[0] 'main': its stress intensity"), 0U);
+  EXPECT_EQ(refusal(ask, growth + "0.04 }\n"), "accepted");
+  for (const auto& [tips, accepted] : {std::pair{"end", true}, {"start", false}, {"both", false}})
+    EXPECT_EQ(refusal("[0, 0.43], [0.6, 0.43]]\n" + ask,
+                      "[0.02, 0.43], [0.6, 0.43]]\n" + growth + "0.04, tips = \"" + tips + "\" }\n") == "accepted",
+              accepted)
+        << tips << ": only they need intensities";
+  EXPECT_EQ(refusal(ask, growth + "0.03 }\n").find("crack[0].growth.advance: after an advance the crack bends"), 0U);
+  EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.87, 0.43, 0.88, 0.44]\n[[boundary]]\n"), "accepted");
+  EXPECT_EQ(refusal("[[boundary]]\n", pin + "[0.62, 0.43, 0.63, 0.44]\n[[boundary]]\n")
+                .find("boundary[0] 'pin': holds the node (0.625, 0.4375) in the ball of a tip of crack 'main'"),
+            0U);
 }
 
 // A body that can move as a whole would do so, by any amount.

@@ -86,7 +86,7 @@ struct Provoked {
 };
 
 TEST(Remarks, SpeakWithTheFigureThatProvokesThem) {
-  const std::string ball = "formulation.tip_enrichment=0", e_h = "(3.2e+10 Pa/m)";
+  const std::string ball = "formulation.tip_enrichment=0", asks = "crack.main.intensities=true", e_h = "(3.2e+10 Pa/m)";
   const Provoked all[] = {
       {{"crack.main.points=[[0.25,0.24],[0.99,0.71]]", "mesh.cells=[30,30]", ball},
        "the tip (0.99, 0.71) lies in an element at the boundary; the crack cuts through to (1, 0.71"},
@@ -99,6 +99,17 @@ TEST(Remarks, SpeakWithTheFigureThatProvokesThem) {
       {{"mesh={kind='delaunay',box=[0,0,1,1],size=0.04,holes=[[[0.4,0.3],[0.6,0.3],[0.6,0.7],[0.4,0.7]]]}", ball},
        "between its ends 0.28 m of 0.698 m lie outside of the body"},
       {{"formulation.tip_enrichment=0.05"}, "the ball of 0.05 m around the tip (0.25, 0.24) is 1.6 element sizes"},
+      {{"formulation.tip_enrichment=0.05", asks},
+       "the intensities of the tip (0.25, 0.24) are taken within 0.05 m of it, 1.6 element sizes; expect errors of up "
+       "to 50 %, with at least 3 of about 1 %"},
+      {{"crack.main.points=[[0.25,0.24],[0.93,0.73]]", asks},
+       "(0.93, 0.73) are taken within 0.07 m of it, 2.2 element sizes, where the body ends (the ball has 0.1 m); "
+       "expect "
+       "errors of up to 10 %"},
+      {{"crack.main.points=[[0.25,0.24],[0.93,0.73]]", asks, "formulation.kinematics='small'"},
+       "2.2 element sizes, where the body ends (the ball has 0.1 m)\n"},
+      {{"crack.main.points=[[0.25,0.24],[0.7,0.7],[0.75,0.73]]", asks},
+       "(0.75, 0.73) are taken within 0.0583 m of it, 1.9 element sizes, where the crack bends (the ball has 0.1 m)"},
       {{"mesh.cells=[10,10]", ball}, "crack 'main': only 7.1 element sizes long; with fewer than 8 slip"},
       {{"crack.main.friction=0"}, "slides without friction"},
       {{"crack.main.contact.normal_penalty=4e11"},
@@ -124,6 +135,7 @@ TEST(Remarks, KeepSilentWithinTheirBounds) {
   EXPECT_EQ(before({"material.poisson=0.495", "formulation.f_bar=true"}), "");
   EXPECT_EQ(before({"material.poisson=0.48"}), "");
   EXPECT_EQ(before({"formulation.tip_enrichment=0.065"}), "");
+  EXPECT_EQ(before({"crack.main.intensities=true"}), "");
 }
 
 // What is said of the scenes of verification/ is so; nothing else may be said of them.

@@ -41,12 +41,25 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
+TEST(Run, HitsAPeakOfTheLoadBetweenTwoIncrements) {
+  const Folder folder;
+  const Scene scene = scene_of(
+      kBlock, {"loading.steps=4", "loading.outputs=[1]", "boundary.top.amplitude=[[0,0],[0.26,0],[0.3,1],[0.34,0]]"});
+  ASSERT_EQ(run(scene, into(folder / "run")).end, RunResult::End::Done);
+  const CsvTable history = read_csv(folder / "run/history.csv");
+  EXPECT_EQ(history.column("load"), (std::vector{0.25, 0.26, 0.3, 0.34, 0.5, 0.75, 1.0}));
+  EXPECT_LT(history.column("fy_top")[2], -1e6) << "pressed";
+}
+
 TEST(Run, ResumesIncrementsOfAnAccuracyBitForBit) {
   const Folder folder;
-  const Scene scene = scene_of(kBlock, {"solver.accuracy=1e-2"});
+  const auto scene_with = [](const char* accuracy) {
+    return scene_of(kBlock, {accuracy, "loading.steps=20", "boundary.top.amplitude=[[0,0],[0.43,1],[1,0.4]]"});
+  };
+  const Scene scene = scene_with("solver.accuracy=1e-2");
   const auto whole = run(scene, into(folder / "whole"));
   ASSERT_EQ(whole.end, RunResult::End::Done);
-  EXPECT_LT(whole.increments, run(scene_of(kBlock), into(folder / "equal")).increments);
+  EXPECT_LT(whole.increments, run(scene_with("solver.accuracy=0"), into(folder / "equal")).increments);
   ASSERT_EQ(run_step_by_step(scene, folder / "parts").end, RunResult::End::Done);
   EXPECT_EQ(read_bytes(folder / "parts/history.csv"), read_bytes(folder / "whole/history.csv"));
 }

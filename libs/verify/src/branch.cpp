@@ -59,7 +59,7 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
   for (std::size_t i = 0; i < a.nodes().size(); ++i) {
     const auto &s = a.nodes()[i], &t = b.nodes()[i];
     if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans ||
-        (!a.facing().empty() && faces_another_place(a, b, i)))
+        s.fades != t.fades || (!a.facing().empty() && faces_another_place(a, b, i)))
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
   const auto add_piece = [&](const contact::Piece& piece) {

@@ -40,11 +40,15 @@ void move_to_origin(Index point, const assembly::Model& from, const VecX& u, ass
   for (Eigen::Index k = 0; k < u.size(); k += 2) moved.segment<2>(k) -= displacement;
 }
 
-// Largest coordinate of the faces that matter to a pair.
-double reach_of(const contact::FacePositions& at, Index own, const contact::Pair& pair, const contact::Memory& memory) {
+// Largest coordinate, or length, of the faces that matter to a pair.
+double reach_of(const contact::Surfaces& surfaces, const contact::FacePositions& at, const contact::Pair& pair,
+                const contact::Memory& memory) {
   double out = 0.0;
-  for (const Index face : {own, pair.partner_face, memory.anchor_face, pair.mouth_face})
-    if (face != kNone) out = std::max({out, at.start[face].norm(), at.end[face].norm()});
+  for (const Index f : {surfaces.points[0].face, pair.partner_face, memory.anchor_face, pair.mouth_face}) {
+    if (f == kNone) continue;
+    const double length = (surfaces.faces[f].reference_end - surfaces.faces[f].reference_start).norm();
+    out = std::max({out, length, at.start[f].norm(), at.end[f].norm()});
+  }
   return out;
 }
 
@@ -136,7 +140,7 @@ void SinglePoints::check_point(Index point, double load, double tolerance, Tange
   const Eigen::MatrixXd exact = dense(assembler.matrix(), components);
   const double faint = kFaint * exact.cwiseAbs().maxCoeff();
   const Eigen::VectorXd scale = exact.cwiseAbs().rowwise().maxCoeff().cwiseMax(faint);
-  reach_ = reach_of(assembler.face_positions(), one_.surfaces.points[0].face, base, memory);
+  reach_ = reach_of(one_.surfaces, assembler.face_positions(), base, memory);
 
   std::vector<Column> columns;
   for (const Index component : components) {

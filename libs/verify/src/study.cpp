@@ -24,6 +24,8 @@ namespace {
 
 using scene::Quantity;
 
+constexpr double kUndetermined = std::numeric_limits<double>::quiet_NaN();
+
 // One run that is asked for: the scene and how the program is told of it.
 struct Task {
   scene::Scene scene;
@@ -115,6 +117,14 @@ bool is_reference(const Quantity& q, const std::vector<StudyRun>& runs, std::siz
   return last && q.kind == Quantity::Kind::Profile && q.reference.empty();
 }
 
+// Differences from the last value over its size, or absolute where that is 0.
+std::vector<double> from_last(const std::vector<double>& value) {
+  const double scale = value.back() != 0.0 ? std::fabs(value.back()) : 1.0;
+  std::vector<double> out;
+  for (const double v : value) out.push_back(std::fabs(v - value.back()) / scale);
+  return out;
+}
+
 Series series_of(const scene::Study& study, std::size_t quantity, const std::vector<StudyRun>& runs,
                  const std::string& variant) {
   const Quantity& q = study.quantities[quantity];
@@ -131,17 +141,20 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
     h.push_back(runs[i].h);
     value.push_back(runs[i].value[quantity]);
   }
-  const bool has_limit = q.kind == Quantity::Kind::History;
-  options.limit = has_limit ? q.exact : std::optional(0.0);
+  const bool is_value = q.kind == Quantity::Kind::History;
+  out.from_finest.assign(h.size(), kUndetermined);
+  if (is_value && !value.empty()) out.from_finest = from_last(value);
+  options.limit = is_value ? q.exact : std::optional(0.0);
   if (h.size() < 2) {
     out.fit.remark = "too few meshes";
-    out.fit.limit = out.fit.order = std::numeric_limits<double>::quiet_NaN();
-    out.error.assign(h.size(), std::numeric_limits<double>::quiet_NaN());
-    return out;
+    out.fit.limit = out.fit.order = kUndetermined;
+  } else {
+    out.fit = fit_limit(h, value, options);
   }
-  out.fit = fit_limit(h, value, options);
-  for (const double v : value) out.error.push_back(std::fabs(v - out.fit.limit));
-  if (has_limit && std::isfinite(out.fit.limit) && out.fit.limit != 0.0) out.scale = std::fabs(out.fit.limit);
+  out.has_errors = options.limit || out.fit.determined;
+  for (const double v : value) out.error.push_back(out.has_errors ? std::fabs(v - out.fit.limit) : kUndetermined);
+  if (is_value && out.has_errors && std::isfinite(out.fit.limit) && out.fit.limit != 0.0)
+    out.scale = std::fabs(out.fit.limit);
   return out;
 }
 
@@ -170,7 +183,10 @@ void check_series(const Quantity& q, const Series& s, std::vector<std::string>& 
           fmt::format("{}: {} {:.4g} is not within [{}, {}]", name, what, value, (*within)[0], (*within)[1]));
   };
   check("order", s.fit.order, q.order_within);
-  check("limit", s.fit.limit, q.limit_within);
+  if (s.has_errors)
+    check("limit", s.fit.limit, q.limit_within);
+  else if (q.limit_within)
+    missed.push_back(fmt::format("{}: no limit is determined: {}", name, s.fit.remark));
 }
 
 }  // namespace

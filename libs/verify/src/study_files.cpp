@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "cleft/report/figure.hpp"
@@ -22,7 +23,7 @@ std::string runs_csv(const scene::Study& study, const StudyResult& result) {
   std::string out =
       "quantity,variant,mesh,h,unknowns,value,error,relative_error,seconds,megabytes,increments,iterations,cuts,";
   for (const auto& [phase, seconds] : result.runs.at(0).phases) out += phase + "_seconds,";
-  out += "folder\n";
+  out += "folder,from_finest\n";
   for (const auto& s : result.series)
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       const auto& r = result.runs[s.runs[k]];
@@ -31,7 +32,7 @@ std::string runs_csv(const scene::Study& study, const StudyResult& result) {
                      r.value[s.quantity], s.error[k], s.error[k] / s.scale, r.seconds, r.megabytes, r.increments,
                      r.iterations, r.cuts);
       for (const auto& [phase, seconds] : r.phases) fmt::format_to(std::back_inserter(out), "{},", seconds);
-      out += cell(r.folder) + "\n";
+      out += fmt::format("{},{}\n", cell(r.folder), s.from_finest[k]);
     }
   return out;
 }
@@ -57,14 +58,16 @@ report::Figure figure_of(const scene::Study& study, const StudyResult& result, b
   report::Figure f;
   f.title = study.title;
   f.x_label = cost ? "seconds" : "h, m";
-  f.y_label = "relative error";
+  const bool any = std::ranges::any_of(result.series, &Series::has_errors);
+  f.y_label = any ? "relative error" : "relative difference from the finest mesh";
   f.scale = report::Scale::LogLog;
   for (const auto& s : result.series) {
     report::Curve c;
     c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
+    if (any && !s.has_errors) c.title += ", difference from the finest mesh";
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
-      c.y.push_back(s.error[k] / s.scale);
+      c.y.push_back(s.has_errors ? s.error[k] / s.scale : s.from_finest[k]);
     }
     f.curves.push_back(c);
   }

@@ -6,7 +6,7 @@
 namespace cleft::verify {
 
 /// study.csv, fits.csv, costs.csv, convergence.svg (relative error against h) and cost.svg (seconds against relative
-/// error).
+/// error). Where no limit is determined errors are nan, and the figures show the difference from the finest mesh.
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory);
 
 }  // namespace cleft::verify

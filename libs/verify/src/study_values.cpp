@@ -78,8 +78,9 @@ std::string list(const std::vector<std::string>& names) { return fmt::format("{}
 }  // namespace
 
 void check_quantities(const scene::Study& study, const scene::Scene& s) {
-  const std::vector<std::string> profile_columns{"gap", "tn", "tt", "pressure", "slip", "partner_s", "partner_pressure",
-                                                 "s",   "X",  "Y",  "x",        "y"};
+  const std::vector<std::string> profile_columns{
+      "gap",    "tn", "tt", "pressure", "slip", "partner_s", "partner_pressure", "opening", "jump_n",
+      "jump_t", "s",  "X",  "Y",        "x",    "y"};
   const auto columns = scene::history_columns(s);
   for (std::size_t k = 0; k < study.quantities.size(); ++k) {
     const auto& q = study.quantities[k];

@@ -20,8 +20,9 @@ namespace cleft::growth {
 struct EnergyRelease {
   double resistance = 0.0;  // J/m^2
 
-  static constexpr const char* kNoAnswer = "the ball of the tip holds too little of the faces for its intensities";
-  static constexpr const char* kAdvice = "a larger formulation.tip_enrichment, or a finer mesh where the crack grows";
+  static constexpr const char* kNoAnswer =
+      "the body ends, or the crack bends, within half an element size: too near for stress intensities";
+  static constexpr const char* kAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
 
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const {
     Demand out;

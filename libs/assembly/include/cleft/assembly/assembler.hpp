@@ -35,7 +35,6 @@ class Assembler {
   /// N/m, bulk and contact; in the rows of multipliers what their conditions miss.
   const VecX& internal_force() const { return force_; }
   const VecX& contact_force() const { return contact_force_; }
-  const VecX& hat_force() const { return hat_force_; }  ///< the part of it that mortar contact has; empty without
   BlockMatrix& matrix() { return matrix_; }
   const BlockMatrix& matrix() const { return matrix_; }
   /// Of all contact points; those of mortar contact show the tractions of its hats.
@@ -96,7 +95,7 @@ class Assembler {
   contact::Multipliers multipliers_;
   std::vector<constitutive::PlasticState> plastic_;
   bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
-  VecX force_, contact_force_, hat_force_;
+  VecX force_, contact_force_;
   BlockMatrix matrix_;
   std::vector<Places<3>> places_;                // of the cells
   std::vector<Places<7>> tip_places_;            // of the tips' points

@@ -34,6 +34,9 @@ struct Prescribed {
 using DeadLoad = std::function<VecX(double load)>;
 
 struct Model {
+  /// Where the model's coordinates begin in those of the scene, metres. All places in a model are relative to it, so
+  /// that a body far from the scene's origin keeps its digits; what is written or said goes through the two below.
+  Vec2 origin = Vec2::Zero();
   geometry::Mesh mesh;
   std::vector<geometry::Crack> cracks;
   geometry::CutMesh cut;
@@ -47,6 +50,13 @@ struct Model {
   std::vector<Index> material_of;  ///< of each material point, its number in `materials`; empty where there is one
   std::vector<Prescribed> prescribed;
   std::vector<DeadLoad> dead_loads;
+  /// Those of them that act on the volume, at a load: N/m^3 at rest, uniform. Empty: none.
+  std::function<Vec2(double load)> body_force;
+
+  /// A place of the model in the scene's coordinates, metres.
+  Vec2 in_scene(const Vec2& place) const { return origin + place; }
+  /// The same in words, "(x, y)", with six digits of the body's extent.
+  std::string words_for(const Vec2& place) const;
 
   /// Points at which the material is evaluated: the cells, then the points of tips.
   std::size_t material_points() const { return cells.size() + tip_points.size(); }
@@ -123,8 +133,17 @@ struct MaterialPoint {
 };
 MaterialPoint material_point(const Model& model, Index number);
 
-/// Deformation gradient of a material point, from the components of all unknowns.
+/// What a law is asked at (kinematics.hpp) at a material point: the deformation gradient, at small strain that of the
+/// displacement; from the components of all unknowns.
+template <class Law, class Point>
+Mat2 deformation_for(const Point& point, const VecX& displacement) {
+  if constexpr (constitutive::kIsSmallStrain<Law>) return displacement_gradient(point, displacement);
+  return point.deformation(displacement);
+}
 Mat2 deformation(const Model& model, Index number, const VecX& displacement);
+
+/// Gradient of a displacement at a material point, by its number.
+Mat2 displacement_gradient(const Model& model, Index number, const VecX& displacement);
 
 /// One prescribed component of the solution, and where its value comes from.
 struct Constraint {

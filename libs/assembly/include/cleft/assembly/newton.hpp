@@ -47,19 +47,25 @@ struct Increment {
   double load = 0.0;
   VecX displacement;
   std::vector<Iteration> iterations;
-  Iteration left;  ///< residual after the last correction, with no correction of its own
+  Iteration left;        ///< residual after the last correction, with no correction of its own
+  double force = 0.0;    ///< the scale of that residual, N/m
+  double rounded = 0.0;  ///< the same over the largest force so far, where rounding ended the iteration; else 0
 };
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 
+/// A residual that rounding leaves is not worth a word up to this part of the forces.
+inline constexpr double kUnnoticedResidual = 1e-5;
+
 /// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
-/// only read. Converged when residual and last correction are both below their tolerances; a residual at the level of
-/// rounding counts as zero, unless that level is high because the contact springs are so stiff that their rounding
-/// hides the forces. A correction that the stiffness turns into forces below the residual's tolerance is small, too: in
-/// a hold there is no displacement to compare it with. The last correction is made with the factors of the one before
-/// if these suffice. Where hats still change late in the iteration the correction solves their contact exactly, with
-/// all else linear; where points return to an active set and the residual does not fall (chatter), corrections are
-/// halved.
+/// only read. Converged when residual and last correction are both below their tolerances, or when rounding ends the
+/// iteration: the residual is at its level, and is below kUnnoticedResidual of the largest force that the run has had
+/// or no longer falls. One above 1e-2 is a failure, and so are contact springs so stiff that their rounding hides the
+/// forces; of a body that bears nothing all forces are rounding, which is none. A correction that the stiffness turns
+/// into forces below the residual's tolerance is small, too: in a hold there is no displacement to compare it with. The
+/// last correction is made with the factors of the one before if these suffice. Where hats still change late in the
+/// iteration the correction solves their contact exactly, with all else linear; where points return to an active set
+/// and the residual does not fall (chatter), corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
@@ -96,6 +102,7 @@ std::optional<double> order_at_unit_scale(std::span<const Iteration> iterations)
 /// Size of a residual that rounding alone may leave, N/m (2-norm): in the bulk, and in the springs of the contact.
 struct RoundingFloor {
   double bulk = 0.0, contact = 0.0;
+  bool of_stiff_springs = false;  ///< `contact` is far above what bodies of this stiffness have
   double total() const;
 };
 RoundingFloor rounding_floor(const Model& model, const VecX& displacement);

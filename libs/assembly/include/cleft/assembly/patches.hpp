@@ -22,7 +22,7 @@ std::vector<Index> pair_cells(const Model& model);
 /// A cell in its patch, and the rate of J_P there: d ln J_P = share by_own : dF + (1 - share) by_other : dF_other. At
 /// small strain `stretch` is 1, and theta_P takes the place of ln J_P.
 struct PatchedCell {
-  Mat2 deformation;                                     ///< F
+  Mat2 deformation;                                     ///< F; small strain: F - 1, like the next
   Mat2 strained;                                        ///< Fbar
   double stretch = 1.0;                                 ///< (J_P/J)^(1/2)
   double share = 0.0;                                   ///< of the cell in the volume of its patch
@@ -30,7 +30,8 @@ struct PatchedCell {
 };
 PatchedCell patched(const Model& model, Index cell, const VecX& displacement);
 
-/// Deformation gradient that the law of a material point is asked at: Fbar in a patch, F elsewhere.
+/// Deformation gradient that the law of a material point is asked at: Fbar in a patch, F elsewhere (small strain: less
+/// 1).
 Mat2 material_deformation(const Model& model, Index number, const VecX& displacement);
 
 }  // namespace cleft::assembly

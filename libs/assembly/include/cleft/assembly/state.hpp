@@ -11,16 +11,27 @@ namespace cleft::assembly {
 struct Energies {
   double elastic = 0.0;
   double contact = 0.0;               ///< stored in the penalty springs, normal and tangential
-  double friction_dissipation = 0.0;  ///< cumulative work of the contact tractions that is not stored
+  double friction_dissipation = 0.0;  ///< cumulative, tangential traction times plastic slip; never falls
   double plastic_dissipation = 0.0;   ///< cumulative plastic work, that of hardening included
   double viscous_dissipation = 0.0;   ///< cumulative, of the stress beyond yield
-  double external_work = 0.0;         ///< cumulative
+  double external_work = 0.0;         ///< cumulative, by the trapezoidal rule
   double released = 0.0;              ///< cumulative, by cracks that grew: what new faces no longer hold
+  /// Cumulative work of the contact pressure that is not stored, of either sign: where a face slides along one that
+  /// slopes against it, and of springs that lose their partner at a mouth.
+  double contact_pressure_work = 0.0;
+  double largest = 0.0;            ///< largest `size` so far: what an imbalance is judged by
+  double largest_imbalance = 0.0;  ///< without sign, of all increments so far
   /// What the other entries leave unexplained; falls with the size of the increments.
   double imbalance() const {
     return external_work - elastic - contact - friction_dissipation - plastic_dissipation - viscous_dissipation -
-           released;
+           released - contact_pressure_work;
   }
+  /// The largest of the entries, without sign.
+  double size() const;
+  /// The largest imbalance so far over the largest energy so far; 0 where there has been none.
+  double relative_imbalance() const { return largest > 0.0 ? largest_imbalance / largest : 0.0; }
+  /// Takes the present entries for those of an increment that has ended; no energy counts as less than `least`.
+  void end_increment(double least);
 };
 
 /// What forces depend on besides the displacement: the past, as it was when the last increment had converged.
@@ -41,6 +52,8 @@ struct State {
   VecX prescribed_force;       ///< force on the body at the constraints, N/m
   double previous_load = 0.0;  ///< of the state before, for extrapolation; equal to `load` if there is none
   VecX previous_displacement;
+  VecX previous_prescribed_force;
+  double largest_force = 0.0;  ///< so far, of the scales of all increments' residuals, N/m
   /// w of the path coordinate w . u, 1/m, that grew by 1 in the last increment; empty unless a run may follow its path.
   VecX progress{};
 };

@@ -6,6 +6,7 @@
 
 #include "cleft/assembly/equilibrium.hpp"
 #include "cleft/assembly/newton.hpp"
+#include "cleft/assembly/reactions.hpp"
 
 namespace cleft::assembly {
 
@@ -15,11 +16,12 @@ enum class Control : std::uint8_t { Load, Path };
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
-  /// Part of the external work that the energy balance may miss before increments are no longer than 1/steps; 0: they
-  /// never are. The size of each follows from what the one before missed.
+  /// Part of its share of the external work that an increment longer than 1/steps may miss, or it is made anew; 0: none
+  /// is longer. The size of each follows from what the one before missed.
   double accuracy = 0.0;
-  std::vector<double> kinks;  ///< loads that increments end at if their size is free, ascending
-  double min_step = 1e-4;     ///< smallest increment of the load before the run is given up; at most 0.01 / steps
+  std::vector<double> kinks;  ///< loads at which an amplitude turns; they are hit, ascending
+  /// Smallest increment of the load before the run is given up; at most a hundredth of the way to the next load to hit.
+  double min_step = 1e-4;
   Control control = Control::Load;
   NewtonControls newton;
 };
@@ -32,13 +34,14 @@ struct Step {
   int cuts = 0;               ///< attempts that failed before it converged
   int iterations_before = 0;  ///< of the parts by which a body was brought into balance, and of attempts given up
   std::vector<Iteration> iterations;
-  Iteration left;  ///< residual after the last correction, with no correction of its own
+  Iteration left;        ///< residual after the last correction, with no correction of its own
+  double rounded = 0.0;  ///< where rounding ended the iteration: what it left, over the largest force so far; else 0
 };
 
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
 struct StepPlace {
   int number = 0;
-  double step = 0.0;      ///< increment of the load to try next
+  double step = 0.0;      ///< increment of the load wanted next, whatever load to hit is nearer
   double stretch = 0.0;   ///< increment along the path to try next, over the last one; 0: the load's turn
   double furthest = 0.0;  ///< largest load so far
 };
@@ -52,12 +55,15 @@ struct Event {
 };
 
 /// Takes a model from load 0 to load 1 in increments that are halved where the iteration fails and grow again, up to
-/// 1/steps, where it is easy. The loads k/steps and all outputs are hit exactly. With an accuracy they are as long as
-/// that allows, where the iteration is easy, and only outputs and kinks are hit.
+/// 1/steps, where it is easy. All outputs and kinks are hit exactly, and the loads k/steps but those within a hundredth
+/// of 1/steps of an output or kink. An increment that is short because it ends at one of them, or at an event, leaves
+/// the size that is wanted as it is. With an accuracy increments are as long as that allows, where the iteration is
+/// easy, and only outputs and kinks are hit. The first after a kink is no longer than 1/steps and not extrapolated.
 ///
 /// With Control::Path an increment of the load that fails is tried along the path instead, and so are those after it,
-/// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs and load 1
-/// are still hit exactly, each where the load first comes to it. The run ends where the path leads back to load 0.
+/// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs, the kinks
+/// and load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again.
+/// The run ends where the path leads back to load 0.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
@@ -87,28 +93,36 @@ class LoadStepper {
   /// Goes on from what an earlier run kept; without a room for the contact's partners, with the one at rest.
   void restore(State state, StepPlace place, std::optional<ContactRoom> room = {});
 
-  /// Force on the body (N/m) through each prescribed boundary of the model, in its order.
+  /// Force on the body (N/m) through each prescribed boundary of the model, in its order; what holds a node that
+  /// several prescribe is divided among them (reactions.hpp).
   std::vector<Vec2> reactions() const;
 
   /// Whether symmetric factorisation is allowed: no contact, no patches, and no plastic flow that is not associated.
   static Factorisation factorisation_for(const Model& model);
 
  private:
-  double next_target() const;
-  double next_output() const;
+  double planned() const { return 1.0 / controls_.steps; }
+  bool goes_on() const;
+  double next_end(double before) const;
+  double next_mark() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
-  Increment try_load(double before, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
-  bool shorten();
-  void lengthen(bool easy, double missed);
-  double missed_work(const Energies& before) const;
+  bool shorten(double taken, double least);
+  double fitting(double missed) const;
+  void lengthen(bool easy, double fits);
+  double cut_short(const Increment& increment) const;
+  double missed_work(const State& before, bool goes_on) const;
   Failure given_up(Failure failure, double load, double size) const;
   Step commit(const Increment& increment);
+  std::optional<Step> commit_if_accurate(const Increment& increment, bool easy, bool goes_on);
+  Step commit_on_path(const Increment& increment, bool easy);
+  void end_account();
 
   const Model& model_;
   StepControls controls_;
   std::vector<Constraint> constraints_;
-  std::vector<double> targets_;
+  Reactions reactions_;
+  std::vector<double> marks_, targets_;
   Assembler assembler_;
   LinearSolver solver_;
   State state_;

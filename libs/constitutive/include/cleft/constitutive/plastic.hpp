@@ -18,7 +18,7 @@
 /// in which nothing is divided by a difference of principal values. Small strain is w = 0, A = 1. Then dP_iJ = (d
 /// tau_ij - tau_il g_jl) F^-1_Jj (Liu and Borja 2010, (72)).
 ///
-/// Signs: stress positive in tension. All need det F > 0 (small strain: any F); what is not finite comes out not
+/// Signs: stress positive in tension. All need det F > 0 (small strain: any H); what is not finite comes out not
 /// finite.
 #pragma once
 
@@ -55,15 +55,15 @@ struct FinitePlastic : DruckerPrager {
   ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
 };
 
-/// Small strain, eps = sym(F) - 1. History is the plastic strain; `piola` is the Cauchy stress, and its tangent has
-/// both minor symmetries. The members are those of FinitePlastic.
+/// Small strain, eps = sym(H) of the displacement gradient H. History is the plastic strain; `piola` is the Cauchy
+/// stress, and its tangent has both minor symmetries. The members are those of FinitePlastic.
 struct SmallPlastic : DruckerPrager {
-  Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
+  Response respond(const Mat2& gradient, const PlasticState& committed, PlasticState& updated,
                    double duration = kForever) const;
-  double energy(const Mat2& deformation, const PlasticState& updated) const;
-  PlasticWork dissipation(const Mat2& deformation, const PlasticState& committed, double duration = kForever) const;
-  double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
-  ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
+  double energy(const Mat2& gradient, const PlasticState& updated) const;
+  PlasticWork dissipation(const Mat2& gradient, const PlasticState& committed, double duration = kForever) const;
+  double out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const;
+  ContinuumTangent continuum_tangent(const Mat2& gradient, const PlasticState& updated) const;
 };
 
 }  // namespace cleft::constitutive

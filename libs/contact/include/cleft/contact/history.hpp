@@ -6,10 +6,11 @@
 
 namespace cleft::contact {
 
-/// Memory and work of one increment at one point.
+/// Memory of a point, and the work of its tractions in one increment that is not stored, J/m^2 of reference area.
 struct Advance {
   Memory memory;
-  double dissipation = 0.0;  ///< work of the contact tractions that is not stored, per unit reference area, J/m^2
+  double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
+  double pressure = 0.0;  ///< of the pressure along sloping faces, and of springs that lose their partner
 };
 
 /// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| = mu |t_N|, so that the next
@@ -23,8 +24,15 @@ struct Advance {
 ///     w t_N r ds            the pressure, where the faces are not parallel and the partner climbs or descends
 ///     -psi dw               springs that lose their partner at a mouth, psi = t_N^2/(2 eps_N) + t_T^2/(2 eps_T)
 ///
-/// by the trapezoidal rule over the increment.
+/// Friction is that of both gaps changing evenly over the increment: the point sticks until its traction reaches the
+/// strength, slides from there on, and no longer where it opens. The others are by the trapezoidal rule.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
+
+/// Friction, J/m^2, of a point that was open and touches at the end of an increment. When it touched is not known: half
+/// of the increment counts, over which the pressure rises from 0. The law lets the point slide freely until its first
+/// increment has ended, and so the balance of energies misses this work. `before`: positions at its beginning.
+double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index point,
+                         const Pair& pair);
 
 /// Memory of a point that carries no traction of its own (mortar contact): its anchor is its partner, and its slip what
 /// it has moved from the last one while it slid.

@@ -24,8 +24,10 @@
 /// what the traction in an interval differs from its mean there is treated as if it had the compliance of an element, h
 /// its size and mu its shear modulus. Uniform tractions are exact with it. With tau = 0 it is only there where an
 /// interval has run past the end of the other face (cover_e, the covered part of it, below cover_0): its node then
-/// takes the tractions of its neighbour. The slip counts from the last converged state, and so does l_T where the
-/// interval was covered then (o = 1): Z does not depend on the size of the increments.
+/// takes the tractions of its neighbour. The slip counts from the last converged state, and so do the tangential
+/// tractions in Z: where nothing moves nothing changes, however often. o is 1 but where less than cover_0 of an
+/// interval is left and it was more before: then the past goes with the covered part, so that Z does not depend on the
+/// size of the increments, and a node that has lost its support (o = 0) bears what its neighbours do.
 ///
 /// Where both faces carry hats, each with half of the weight, Z has the further part
 ///
@@ -33,7 +35,8 @@
 ///
 /// (- for the normal, + for the tangential component) with l' what the other face bears opposite the node, or, if
 /// nothing lies there, opposite the place next to it, and the integrals over what lies opposite: the faces' tractions
-/// are two unknowns for one, and where they are the same each face's mean gap vanishes.
+/// are two unknowns for one, and where they are the same each face's mean gap vanishes. Of the tangential component,
+/// too, only the change counts: that beyond the mismatch of the last converged state (the bracket over int phi_i ds).
 ///
 /// c = 2 mu / h only makes units equal. Conditions are in N/m, multipliers in metres (times c),
 /// so that they may stand beside forces and displacements.
@@ -47,9 +50,10 @@ namespace cleft::contact {
 struct HatMemory {
   std::vector<Status> status;    ///< per node
   VecX multiplier;               ///< l_N and l_T of each node, Pa
+  VecX mismatch;                 ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
   std::vector<double> coverage;  ///< per interval, 0 to 1
   std::vector<Trail> trails;     ///< anchors
-  VecX force;                    ///< internal force of the hats' tractions on all components, N/m; empty at rest
+  std::vector<double> slope;     ///< per node, of what lies opposite against the face, the mean over its hat
 };
 HatMemory hats_at_rest(const Surfaces& surfaces);
 
@@ -58,11 +62,14 @@ struct NodeState {
   Status status = Status::Open;
   bool supported = false;                 ///< something lies opposite its hat
   bool leans = false;                     ///< little lies opposite one of its intervals
+  bool fades = false;                     ///< less lies opposite one of these than at the last converged state
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
   double reach = 0.0;                     ///< int phi j ds, metres; only where both faces carry hats
-  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face, N/m
+  Vec2 past_mismatch = Vec2::Zero();      ///< HatMemory::mismatch, of the tangential component, Pa
+  Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face and the past mismatch, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
+  double plastic_slip = 0.0;              ///< S - Z, m^2: the part of the slip that no compliance gives back
   double slides = 0.0;                    ///< sign of the traction of a node that slips
 
   Vec2 traction() const { return {normal, tangential}; }
@@ -88,6 +95,14 @@ struct NodeCondition {
   std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  ///< on int ds over what is covered of the two intervals
 };
 
+/// Memory of the hats, and the work of their tractions in one increment that is not stored, J/m.
+struct HatAdvance {
+  HatMemory memory;
+  double stored = 0.0;    ///< energy in Z at the end of the increment
+  double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
+  double pressure = 0.0;  ///< of the pressure along sloping faces
+};
+
 /// Which conditions the nodes have: those of their own state, or all that have something opposite those of one that
 /// sticks.
 enum class Conditions : std::uint8_t { OwnState, Stick };
@@ -111,8 +126,8 @@ class Multipliers {
   /// The traction at a place on a face that carries hats; without one where a node of its interval is open that side.
   Traction traction(const Surfaces& surfaces, Index face, double eta) const;
 
-  /// What the hats remember once the increment has converged.
-  HatMemory advance(const Surfaces& surfaces, const FacePositions& at) const;
+  /// What the hats remember once the increment has converged, and the work of their tractions.
+  HatAdvance advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const;
 
  private:
   void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
@@ -121,6 +136,9 @@ class Multipliers {
   Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
   void find_reached(const Surfaces& surfaces);
   void judge(const Surfaces& surfaces, Index node, const HatMemory& memory, Conditions conditions);
+  HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
+  double stored_energy(const Surfaces& surfaces) const;
+  double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;
 
   std::vector<Piece> pieces_;
   std::vector<Overlap> overlaps_;
@@ -132,8 +150,5 @@ class Multipliers {
   std::vector<double> covered_;  // per interval, metres
   std::vector<bool> reached_;    // per node: some node of its face has something opposite
 };
-
-/// Energy stored in Z at tau, J/m.
-double stored_energy(const Surfaces& surfaces, const HatMemory& hats);
 
 }  // namespace cleft::contact

@@ -31,10 +31,13 @@ inline bool presses(const Pair& pair) {
   return pair.partner_face != kNone && pair.state.traction.status != Status::Open;
 }
 
-/// Current positions of all faces' ends.
+/// Current positions of all faces' ends. In contact in the undeformed configuration only their displacements: gaps are
+/// jumps of these, and of a small one the places would take the last digits.
 struct FacePositions {
   std::vector<Vec2> start, end;  ///< per face, metres
 };
+/// At a displacement (components of all unknowns, metres).
+void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositions& out);
 
 /// Finds partners: those opposite where contact is in the undeformed configuration, else in the current one. Keeps its
 /// scratch memory between calls.

@@ -16,7 +16,7 @@
 
 namespace cleft::contact {
 
-/// The point opposite, with gaps and tractions, at the current positions of the faces.
+/// The point opposite, with gaps and tractions, at the displacements of the faces.
 Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index point, const Memory& memory);
 
 /// Internal force (N/m) and its derivative; the anchor and the mouth have no columns of their own.

@@ -45,10 +45,11 @@ struct Intensities {
 Intensities intensities_of_amplitudes(const geometry::TipBall& ball, const std::array<Vec2, kBranches>& amplitudes,
                                       const PlaneStrain& body);
 
-/// A computed state at a point, in the axes of the mesh.
+/// A computed state at a point, in the axes of the mesh. Strains and turns are small; of a body that has been turned
+/// rigidly it is that before the turn.
 struct PointState {
   Mat2 gradient;  ///< of the displacement
-  Mat2 stress;    ///< Pa
+  Mat2 stress;    ///< Pa: s_ij along axis i, per reference area normal to axis j
 };
 
 /// A piece of a face near the tip, over which the traction is taken as uniform.
@@ -60,16 +61,17 @@ struct FacePiece {
 
 /// Interaction integral in its domain form (Yau, Wang and Corten 1980; Shih and Asaro 1988), for each mode
 ///
-///     I = int [ s_ij v_i,1 + z_ij u_i,1 - s_mn v_m,n d_1j ] q_,j dA - int_faces t_i v_i,1 q ds,     K = E' I / 2,
+///     I = int [ s_ij v_i,1 + z_ij u_i,1 - s_mn v_m,n d_1j ] q_,j dA - int b_i v_i,1 q dA - int_faces t_i v_i,1 q ds,
+///     K = E' I / 2,
 ///
 /// over the points of one tip, with the computed field u and s, the mode's field v and z, and a weight q that falls
-/// smoothly from 1 to 0 at the radius. The second integral, over both faces, is that of contact: without it K depends
-/// on the radius where closed faces carry traction; it is exact for v_i,1, which is singular. The faces must be
-/// straight within the radius, which is that of the ball or where the crack first bends.
+/// smoothly from 1 to 0 at the ball's reach. The third integral, over both faces, is that of contact: without it K
+/// depends on the reach where closed faces carry traction; it is exact for v_i,1, which is singular.
 ///
-/// `points` may hold those of other tips. Body forces are none.
+/// `points` may hold those of other tips. `body_force` is b, N/m^3 (uniform).
 Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const std::vector<TipPoint>& points,
                                  const std::function<PointState(const TipPoint&)>& state,
-                                 const std::vector<FacePiece>& faces, const PlaneStrain& body);
+                                 const std::vector<FacePiece>& faces, const PlaneStrain& body,
+                                 const Vec2& body_force = Vec2::Zero());
 
 }  // namespace cleft::enrichment

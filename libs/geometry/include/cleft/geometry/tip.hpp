@@ -60,6 +60,9 @@ struct TipBall {
   Index crack = kNone;
   int end = 0;          ///< of the crack: 0 its first, 1 its last point
   double radius = 0.0;  ///< metres
+  /// How far an integral around the tip may go: within this distance the crack is straight and the body whole. The
+  /// least of the radius, of the distance to the crack's first bend, and of that to the boundary; metres.
+  double reach = 0.0;
   TipFrame frame;
   Index element = kNone;  ///< the triangle that contains the tip; where that is on an edge or node, one of them
   /// This triangle, divided by the crack and its straight continuation ahead of the tip, by Side; counter-clockwise.

@@ -23,7 +23,8 @@ struct Demand {
   double measure = 0.0;      ///< over what the material bears: the tip advances at 1; not a number: no answer
   Vec2 ahead{1.0, 0.0};      ///< unit vector, in the reference configuration: the way that it would take
   double stress = kUnknown;  ///< Pa: largest principal value of the mean Cauchy stress (Rankine)
-  enrichment::Intensities intensities{kUnknown, kUnknown};  ///< Pa m^(1/2) (maximum hoop stress)
+  enrichment::Intensities intensities{kUnknown, kUnknown};  ///< Pa m^(1/2) (maximum hoop stress),
+  double elements = kUnknown;  ///< and within how many element sizes of the tip they were taken
 
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 };
@@ -55,10 +56,11 @@ struct Rankine {
 struct HoopStress {
   double toughness = 0.0;  ///< K_c, Pa m^(1/2)
 
-  static constexpr const char* kNoAnswer = "the ball of the tip holds too little of the faces for its intensities";
-  static constexpr const char* kAdvice = "a larger formulation.tip_enrichment, or a finer mesh where the crack grows";
+  static constexpr const char* kNoAnswer =
+      "the body ends, or the crack bends, within half an element size: too near for stress intensities";
+  static constexpr const char* kAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
 
-  /// The tip must have a ball (geometry::TipBall), and this lie within the body.
+  /// The tip must have a ball (geometry::TipBall); intensities are taken within its reach.
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
 };
 

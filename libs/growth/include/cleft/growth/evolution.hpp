@@ -64,7 +64,8 @@ struct Step : assembly::Step {
 /// is found that way: a path that bends is followed without zigzag, for one equilibrium more an advance. Without a law
 /// this is a LoadStepper and no more.
 ///
-/// An advance ends at the boundary of the body, which is then cut through. One that would meet a crack, or cut elements
+/// An advance ends at the boundary of the body, which is then cut through; in a ball of branch functions so does one
+/// that would leave less than half an element ahead. One that would meet a crack, or cut elements
 /// that another crack cuts, or wind too tightly for the mesh, is tried at half and a quarter of its length and is the
 /// tip's last.
 class Evolution {
@@ -118,6 +119,7 @@ class Evolution {
   std::variant<Attempt, assembly::Failure> attempt(const std::vector<Due>& due,
                                                    const assembly::IterationObserver& observer) const;
   std::optional<std::vector<Due>> corrected(const Attempt& tried) const;
+  Vec2 destination(const Due& due, const Vec2& from, double length) const;
   Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
   void count(const assembly::LoadStepper& done_with);
   void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper);

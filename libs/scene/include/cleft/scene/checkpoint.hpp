@@ -6,6 +6,7 @@
 
 #include "cleft/assembly/stepping.hpp"
 #include "cleft/growth/evolution.hpp"
+#include "cleft/scene/run.hpp"
 #include "cleft/scene/vtu.hpp"
 
 namespace cleft::scene {
@@ -18,6 +19,7 @@ struct Checkpoint {
   growth::Record growth;
   long iterations = 0, cuts = 0;
   double worst_residual = 0.0;
+  Rounded rounded;
   double seconds = 0.0;
   std::map<std::string, std::uint64_t> log_bytes;  ///< length of each growing file
   std::vector<PvdEntry> outputs;

@@ -95,6 +95,8 @@ struct CrackSpec {
 struct Amplitude {
   std::vector<std::array<double, 2>> points{{0.0, 0.0}, {1.0, 1.0}};  ///< load, factor
   double operator()(double load) const;
+  /// Loads between 0 and 1 at which its slope changes, ascending.
+  std::vector<double> turns() const;
 };
 
 /// A registered field and its parameters.

@@ -16,7 +16,8 @@ namespace cleft::scene {
 /// of its place. Without a side the place decides.
 using Field = std::function<Vec2(const Vec2& reference, geometry::MaybeSide side)>;
 
-/// Looks up a field and checks its parameters. Throws InputError with what is allowed.
+/// Looks up a field and checks its parameters. Throws InputError with what is allowed. The field is asked at places
+/// that count from `origin` (metres); its parameters count from the scene's.
 ///
 ///  - `mode-I`, `mode-II`: the near field of a crack tip in an infinite plane under plane strain, small strain;
 ///    parameters tip_x, tip_y (default 0), angle (degrees of the direction ahead of the tip, default 0), K (Pa sqrt(m),
@@ -36,7 +37,7 @@ using Field = std::function<Vec2(const Vec2& reference, geometry::MaybeSide side
 ///  - `parted-waves`: `waves` to the right of the line through (x, y) (default the origin) in the direction angle
 ///    (degrees, default 0), and to the left of it u = a (cos(k x) sin(k y), sin(k x / 2) cos(k y)) + opening n, with n
 ///    the normal to the left and opening in metres (default 0.1): two bodies apart from each other.
-Field make_field(const FieldSpec& spec, const constitutive::Lame& constants);
+Field make_field(const FieldSpec& spec, const constitutive::Lame& constants, const Vec2& origin = Vec2::Zero());
 
 /// What keeps a body in equilibrium at a field, besides its boundary values: nothing where the field solves the linear
 /// problem with faces that are free or in contact, else the body force -Div P, and at faces apart the tractions P N,

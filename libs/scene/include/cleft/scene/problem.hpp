@@ -9,7 +9,8 @@
 
 namespace cleft::scene {
 
-/// Meshes, cuts, numbers and binds boundary values. Throws InputError, located in the scene, on what only then shows: a
+/// Meshes, cuts, numbers and binds boundary values. A body far from the scene's origin gets coordinates of its own
+/// (assembly::Model::origin). Throws InputError, located in the scene, on what only then shows: a
 /// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
 assembly::Model build_model(const Scene& scene);
 
@@ -32,8 +33,8 @@ std::vector<std::string> remarks(const Scene& scene, const assembly::Model& mode
 
 assembly::StepControls step_controls(const Scene& scene);
 
-/// Norms of the error against an exact solution, and of that solution itself: L2 of the displacement (m^2), and the
-/// energy norm of small strain (sqrt(J/m)).
+/// Norms of the error against an exact solution in the model's coordinates, and of that solution itself: L2 of the
+/// displacement (m^2), and the energy norm of small strain (sqrt(J/m)).
 struct ErrorNorms {
   double l2 = 0.0, energy = 0.0, l2_exact = 0.0, energy_exact = 0.0;
 };

@@ -25,6 +25,13 @@ struct Progress {
   double rest = 0.0;     ///< estimate, seconds
 };
 
+/// Increments whose iteration was ended by rounding, at a residual above assembly::kUnnoticedResidual.
+struct Rounded {
+  long increments = 0;
+  double worst = 0.0;  ///< residual over the largest force of the run so far,
+  double load = 0.0;   ///< and where that was
+};
+
 struct RunOptions {
   std::string directory;
   bool resume = false;
@@ -42,6 +49,7 @@ struct RunResult {
   long increments = 0, iterations = 0, cuts = 0;
   long advances = 0;  ///< of all tips
   double worst_residual = 0.0;
+  Rounded rounded;
   double newton_order = 0.0;  ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;
   double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements

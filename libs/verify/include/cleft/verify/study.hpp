@@ -39,8 +39,12 @@ struct Series {
   std::size_t quantity = 0;
   std::string variant;
   std::vector<std::size_t> runs;  ///< index of each run, without those that have no value
-  std::vector<double> error;      ///< from the exact value, or else from the fitted limit
+  bool has_errors = true;         ///< there is an exact value, or the limit is determined
+  std::vector<double> error;      ///< from that; NaN without
   double scale = 1.0;             ///< that makes errors relative
+  /// What can be said without a limit: difference from the value on the finest mesh, relative to that. Of columns of
+  /// history.csv; NaN of others.
+  std::vector<double> from_finest;
   LimitFit fit;
 };
 

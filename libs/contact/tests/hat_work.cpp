@@ -1,0 +1,77 @@
+// The work of mortar contact in one increment, on blocks that were pressed together by 1 Pa with friction 0.5.
+#include <gtest/gtest.h>
+
+#include "slider.hpp"
+
+namespace cleft::contact {
+namespace {
+
+constexpr double kPressure = 1.0, kRough = 0.5;
+
+class HatWork : public testing::TestWithParam<NegativeSide> {
+ protected:
+  Slider s{GetParam()};
+  HatMemory before;
+
+  HatWork() {
+    s.surfaces.laws[0].friction = kRough;
+    s.give_hats(0.25);
+    before = hats_at_rest(s.surfaces);
+  }
+  // How the traction that resists a slide of the upper block to the right is counted on the face of a node.
+  double sense(std::size_t i) const { return s.surfaces.hats.nodes[i].side == geometry::Side::Right ? 1.0 : -1.0; }
+  VecX tractions(double normal, double tangential) const {
+    VecX out(2 * static_cast<Index>(before.status.size()));
+    for (std::size_t i = 0; i < before.status.size(); ++i)
+      out.segment<2>(2 * static_cast<Index>(i)) = Vec2(normal, sense(i) * tangential);
+    return out;
+  }
+  // After an increment that took the upper block by `by`.
+  HatAdvance advanced(const Vec2& by, const VecX& tractions) {
+    VecX x = s.shift(by);
+    x.segment(2 * s.surfaces.first_multiplier, tractions.size()) = tractions / s.surfaces.mortar[0].scale;
+    s.look(x);
+    Multipliers now;
+    now.run(s.surfaces, s.search.positions(), s.pairs, x, before);
+    return now.advance(s.surfaces, s.search.positions(), before);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
+
+TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
+  before.status.assign(before.status.size(), Status::Slip);
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  const auto steady = advanced({0.03, 0.0}, before.multiplier);
+  EXPECT_NEAR(steady.friction, kRough * kPressure * 0.03 * 0.97, 1e-12) << "of what is still opposite";
+  EXPECT_NEAR(steady.pressure, 0.0, 1e-12) << "the faces are parallel";
+  EXPECT_NEAR(steady.stored, 0.0, 1e-12) << "tractions are uniform";
+  const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressure, 3.0 * kRough * kPressure));
+  EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressure * 0.03 * 0.97, 1e-12);
+}
+
+TEST_P(HatWork, OfFacesThatStickIsNothing) {
+  before.multiplier = tractions(-kPressure, 0.0);
+  const auto stick = advanced({0.0, 0.0}, tractions(-kPressure, 0.3 * kRough));
+  EXPECT_EQ(stick.friction, 0.0);
+  EXPECT_NEAR(stick.pressure, 0.0, 1e-12);
+}
+
+TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
+  s.surfaces.laws[0].friction = 0.0;
+  before.status.assign(before.status.size(), Status::Slip);
+  before.multiplier = tractions(-kPressure, 0.0);
+  const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
+  EXPECT_EQ(apart.friction, 0.0);
+  EXPECT_EQ(apart.pressure, 0.0);
+  EXPECT_EQ(apart.stored, 0.0);
+}
+
+TEST_P(HatWork, OfFacesThatPartEndsTheSlideThatRelievesThem) {
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
+  EXPECT_NEAR(apart.friction, 0.5 * kRough * kPressure * 0.02 * 0.98, 1e-12);
+  EXPECT_EQ(advanced({-0.02, 0.01}, tractions(0.0, 0.0)).friction, 0.0) << "what went the other way did not slide";
+}
+
+}  // namespace
+}  // namespace cleft::contact
