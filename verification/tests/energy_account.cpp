@@ -50,8 +50,8 @@ TEST(EnergyAccount, IsSilentWhereFacesPartAtTheEndOfAnIncrement) {
 }
 
 TEST(EnergyAccount, IsJudgedByTheLargestEnergyThatTheRunHasHad) {
-  const Solved run = solve(hard_scene(
-      "lifted", smooth("mortar", {"loading.steps=40", "boundary.down.amplitude=[[0,0],[0.5,1],[1,0]]"})));
+  const Solved run = solve(
+      hard_scene("lifted", smooth("mortar", {"loading.steps=40", "boundary.down.amplitude=[[0,0],[0.5,1],[1,0]]"})));
   EXPECT_LT(std::fabs(run.at("external_work", 1.0)), 1e-6 * run.at("external_work", 0.5)) << "all work comes back";
   EXPECT_FALSE(is_told(run));
 }
@@ -64,8 +64,8 @@ TEST(EnergyAccount, IsSilentWhereABodyThatNothingStrainsIsMoved) {
 
 TEST(EnergyAccount, TellsOfFrictionThatALiftOffSets) {
   const Solved coarse = solve(hard_scene("lifted", {"boundary.down.amplitude=[[0,0],[0.2,1],[0.6,1],[0.8,-20]]"})),
-               fine = solve(hard_scene("lifted", {"boundary.down.amplitude=[[0,0],[0.2,1],[0.6,1],[0.8,-20]]",
-                                                  "loading.steps=800"}));
+               fine = solve(hard_scene(
+                   "lifted", {"boundary.down.amplitude=[[0,0],[0.2,1],[0.6,1],[0.8,-20]]", "loading.steps=800"}));
   Case table("faces pressed, dragged and lifted off");
   const double friction = fine.at("friction_dissipation", 1.0);
   table.compare("friction, J/m", coarse.at("friction_dissipation", 1.0), prototype(friction),
@@ -124,7 +124,8 @@ TEST(EnergyAccount, IsFoundOpenWhereTheWorkIsWrongAndOnlyThere) {
   std::ofstream numbers;
   if (sheet != nullptr) {
     numbers.open(sheet);
-    numbers << "seed,steps,off,off_anywhere,imbalance,imbalance_anywhere,told,friction,pressure,largest,fine_imbalance\n";
+    numbers
+        << "seed,steps,off,off_anywhere,imbalance,imbalance_anywhere,told,friction,pressure,largest,fine_imbalance\n";
   }
   Case table(fmt::format("{} random scenes, against 16 times the increments", wanted));
   int missed = 0, false_alarms = 0, wrong = 0, right = 0, told = 0;

@@ -8,8 +8,9 @@
 namespace cleft::assembly {
 
 double Energies::size() const {
-  const auto entries = {external_work,       elastic,  contact, friction_dissipation, plastic_dissipation,
-                        viscous_dissipation, released, contact_pressure_work};
+  const auto entries = {
+      external_work,        elastic, contact, friction_dissipation, plastic_dissipation, viscous_dissipation, released,
+      contact_pressure_work};
   double out = 0.0;
   for (const double entry : entries) out = std::max(out, std::fabs(entry));
   return out;

@@ -274,8 +274,9 @@ Step LoadStepper::commit(const Increment& increment) {
     }
     energies.friction_dissipation += weight * step.friction;
     if (contact::presses(pairs_[p]) && !pairs_[p].anchored)
-      energies.friction_dissipation += weight * contact::touching_friction(model_.surfaces, faces_before,
-                                                                           assembler_.face_positions(), index, pairs_[p]);
+      energies.friction_dissipation +=
+          weight *
+          contact::touching_friction(model_.surfaces, faces_before, assembler_.face_positions(), index, pairs_[p]);
     energies.contact_pressure_work += weight * step.pressure;
     state_.history.contact[p] = step.memory;
   }
