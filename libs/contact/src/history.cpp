@@ -1,16 +1,12 @@
 #include "cleft/contact/history.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "cleft/contact/undeformed.hpp"
+#include "friction_work.hpp"
 
 namespace cleft::contact {
 namespace {
-
-const double kSpring = std::getenv("KSPRING") ? std::atof(std::getenv("KSPRING")) : 1.0;
-const double kTouching =
-    std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a point touches
 
 struct Place {
   Index face;
@@ -63,19 +59,15 @@ double pressed_part(const Law& law, const PairState& now, const Memory& memory) 
   return pull > memory.normal ? memory.normal / (memory.normal - pull) : 0.0;
 }
 
-// theory (7.7), per unit of the ramp: strength times plastic slip, from where the traction that would be without
-// sliding, linear as the gaps, leaves the cone of the law, which is linear, too.
+// Per unit of the ramp. What the springs would bear without sliding goes beyond the strength by what the slide takes
+// off.
 double friction_work(const Law& law, const PairState& now, const Memory& memory) {
   if (now.traction.status == Status::Stick) return 0.0;
   const double pressed = pressed_part(law, now, memory);
   const double trial = memory.tangential + pressed * (law.tangential_penalty * now.tangential_gap - memory.tangential);
-  const double strength_before = -law.friction * memory.normal, strength = std::fabs(now.traction.tangential);
-  const double beyond = std::fabs(trial) - strength;
-  if (!(beyond > 0.0)) return 0.0;
-  const double below = std::fmax(0.0, strength_before - std::copysign(1.0, trial) * memory.tangential);
-  const double sticks = below / (below + kSpring * beyond);
-  const double at_onset = strength_before + sticks * (strength - strength_before);
-  return mean(at_onset, strength) * beyond / law.tangential_penalty;
+  const double strength = std::fabs(now.traction.tangential);
+  return friction_of({std::copysign(1.0, trial) * memory.tangential, -law.friction * memory.normal, strength,
+                      law.tangential_penalty, std::fmax(0.0, std::fabs(trial) - strength) / law.tangential_penalty});
 }
 
 // From the point to the material point that is its partner now.
@@ -96,7 +88,7 @@ double touching_friction(const Surfaces& surfaces, const FacePositions& before, 
                                          : Vec2(at.end[point.face] - at.start[point.face]);
   const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
   const double strength = surfaces.laws[face.crack].friction * std::fabs(pair.state.traction.normal);
-  return pair.state.ramp * mean(0.0, strength) * kTouching * std::fabs(slide);
+  return pair.state.ramp * touching_friction_of(strength, std::fabs(slide));
 }
 
 // theory (7.7)

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include "friction_work.hpp"
 
 namespace cleft::contact {
 namespace {
@@ -12,10 +13,6 @@ constexpr double kCover = 0.25;
 
 // Of a face: places that are no further apart are the same.
 constexpr double kTie = 1e-9;
-
-const double kTouching =
-    std::getenv("KTOUCH") ? std::atof(std::getenv("KTOUCH")) : 0.5;  // of the increment in which a node touches
-const double kStiff = std::getenv("KSTIFF") ? std::atof(std::getenv("KSTIFF")) : 1.0;
 
 const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
 
@@ -344,21 +341,17 @@ double Multipliers::stored_energy(const Surfaces& surfaces) const {
   return out;
 }
 
-// As in history.hpp, per node; where the springs know how stiff a point is before it slides, here it is as an element.
 double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
   const auto& node = nodes_[i];
   const auto& at = surfaces.hats.nodes[i];
-  const double friction = surfaces.laws[at.crack].friction, slip = std::fabs(node.plastic_slip);
+  const double friction = surfaces.laws[at.crack].friction, slide = std::fabs(node.plastic_slip) / at.length;
   const double strength = friction * std::fabs(node.normal);
-  if (before.status[i] == Status::Open) return node.status == Status::Open ? 0.0 : kTouching * 0.5 * strength * slip;
+  if (before.status[i] == Status::Open)
+    return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
   if (node.status == Status::Stick) return 0.0;
-  const double past = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
-  if (node.status == Status::Open) return 0.5 * std::max(0.0, past) * slip;
-  const double strength_before = friction * std::fabs(before.multiplier[2 * i]);
-  const double below = std::max(0.0, strength_before - past),
-               beyond = kStiff * mortar_of(surfaces, at).scale * slip / at.length;
-  const double sticks = below > 0.0 ? below / (below + beyond) : 0.0;
-  return (strength + 0.5 * (1.0 - sticks) * (strength_before - strength)) * slip;
+  const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
+  return at.length * friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength,
+                                  mortar_of(surfaces, at).scale, slide});
 }
 
 // theory (8.7)

@@ -66,11 +66,18 @@ TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
   EXPECT_EQ(apart.stored, 0.0);
 }
 
-TEST_P(HatWork, OfFacesThatPartEndsTheSlideThatRelievesThem) {
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
-  const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
-  EXPECT_NEAR(apart.friction, 0.5 * kRough * kPressure * 0.02 * 0.98, 1e-12);
-  EXPECT_EQ(advanced({-0.02, 0.01}, tractions(0.0, 0.0)).friction, 0.0) << "what went the other way did not slide";
+TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
+  for (const double mobilised : {1.0, 0.6}) {
+    before.multiplier = tractions(-kPressure, mobilised * kRough * kPressure);
+    const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
+    EXPECT_NEAR(apart.friction, 0.5 * mobilised * kRough * kPressure * 0.02 * 0.98, 1e-12) << mobilised;
+  }
+}
+
+TEST_P(HatWork, OfFacesThatTouchIsThatOfHalfOfTheirSlide) {
+  before.status.assign(before.status.size(), Status::Open);
+  const auto touching = advanced({0.04, 0.0}, tractions(-kPressure, 0.0));
+  EXPECT_NEAR(touching.friction, 0.5 * kRough * kPressure * 0.02 * 0.96, 1e-12);
 }
 
 }  // namespace

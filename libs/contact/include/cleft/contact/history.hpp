@@ -24,8 +24,9 @@ struct Advance {
 ///     w t_N r ds            the pressure, where the faces are not parallel and the partner climbs or descends
 ///     -psi dw               springs that lose their partner at a mouth, psi = t_N^2/(2 eps_N) + t_T^2/(2 eps_T)
 ///
-/// Friction is that of both gaps changing evenly over the increment: the point sticks until its traction reaches the
-/// strength, slides from there on, and no longer where it opens. The others are by the trapezoidal rule.
+/// A point sticks until its traction has reached the strength, slides from there on, and no longer where it opens:
+/// strength times slide, so reckoned that it is exact where the strength stays the same. The others are by the
+/// trapezoidal rule.
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair, const Memory& memory);
 
 /// Friction, J/m^2, of a point that was open and touches at the end of an increment. When it touched is not known: half
