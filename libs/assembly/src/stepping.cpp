@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cleft/contact/history.hpp"
+#include "large_flow.hpp"
 #include "lost_contact.hpp"
 #include "path.hpp"
 #include "targets.hpp"
@@ -199,6 +200,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     Increment increment = along_path ? try_path(observer) : solve({end}, observer);
     if (!increment.failure)
       increment.failure = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs());
+    if (!increment.failure) increment.failure = large_flow(model_, state_.history.plastic, assembler_.plastic());
     if (increment.failure) {
       const double size = along_path ? place_.stretch : taken;
       ++cuts;

@@ -14,7 +14,7 @@ namespace {
 
 using Forces = std::map<std::string, Vec2>;
 
-Forces reactions(const Scene& scene) {
+Forces forces_on(const Scene& scene) {
   const auto model = build_model(scene);
   assembly::LoadStepper stepper(model, step_controls(scene));
   while (!stepper.done()) EXPECT_TRUE(std::holds_alternative<assembly::Step>(stepper.advance()));
@@ -91,15 +91,15 @@ TEST(Reactions, DoNotDependOnTheOrderOfTheBoundaries) {
                                    std::string("[[crack]]\nname = \"corner\"\npoints = [[0.0, "
                                                "0.005], [0.004, 0.0]]\n")}) {
     SCOPED_TRACE(crack);
-    const Forces one = reactions(scene_of(body(kHeldLeft + kRight + kBottom + kTop + crack)));
-    const Forces other = reactions(scene_of(body(kTop + kBottom + kRight + kHeldLeft + crack)));
+    const Forces one = forces_on(scene_of(body(kHeldLeft + kRight + kBottom + kTop + crack)));
+    const Forces other = forces_on(scene_of(body(kTop + kBottom + kRight + kHeldLeft + crack)));
     for (const auto& [name, force] : one) EXPECT_LT((force - other.at(name)).norm(), 1e-6) << name;  // of 1e7 N/m
     EXPECT_LT(sum(one).norm(), 1e-3) << "nothing else acts on the body";
   }
 }
 
 TEST(Reactions, OfASymmetricSceneAreSymmetric) {
-  const Forces forces = reactions(scene_of(body(kHeldLeft + kBottom + kTop + kRight)));
+  const Forces forces = forces_on(scene_of(body(kHeldLeft + kBottom + kTop + kRight)));
   const double size = forces.at("right").norm();
   EXPECT_GT(size, 1e6);
   EXPECT_NEAR(forces.at("left").x(), -forces.at("right").x(), 1e-9 * size);
@@ -109,7 +109,7 @@ TEST(Reactions, OfASymmetricSceneAreSymmetric) {
 
 TEST(Reactions, OfABoxOverASideAreHalfOfTheSides) {
   const std::string box = "[[boundary]]\nbox = [0.0, 0.0, 0.04, 0.0]\nname = \"box\"\nux = 0.0\nuy = 0.0\n";
-  const Forces alone = reactions(scene_of(body(kBottom + kTop))), two = reactions(scene_of(body(box + kBottom + kTop)));
+  const Forces alone = forces_on(scene_of(body(kBottom + kTop))), two = forces_on(scene_of(body(box + kBottom + kTop)));
   EXPECT_LT((two.at("box") - two.at("bottom")).norm(), 1e-9 * alone.at("bottom").norm());
   EXPECT_LT((two.at("box") + two.at("bottom") - alone.at("bottom")).norm(), 1e-9 * alone.at("bottom").norm());
 }
@@ -118,7 +118,7 @@ TEST(Reactions, OfABoxOverASideAreHalfOfTheSides) {
 TEST(Reactions, OfNodesWithoutEdgesAreEqual) {
   const std::string place = "box = [0.02, 0.04, 0.02, 0.04]\nux = 0.001\n";
   const std::string boxes = "[[boundary]]\n" + place + "name = \"a\"\n[[boundary]]\n" + place + "name = \"b\"\n";
-  const Forces forces = reactions(scene_of(body(kBottom + boxes)));
+  const Forces forces = forces_on(scene_of(body(kBottom + boxes)));
   EXPECT_GT(forces.at("a").x(), 1e4);
   EXPECT_EQ(forces.at("a").x(), forces.at("b").x());
   EXPECT_NEAR(sum(forces).x(), 0.0, 1e-9 * forces.at("a").x());
