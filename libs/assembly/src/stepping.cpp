@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cleft/contact/history.hpp"
-#include "large_flow.hpp"
+#include "flow.hpp"
 #include "lost_contact.hpp"
 #include "path.hpp"
 #include "targets.hpp"
@@ -20,6 +20,7 @@ constexpr double kCrumb = 1e-2;             // of the way to the next target: ho
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 constexpr double kShortest = 1.0 / 4096;    // along the path, of the last increment
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
+constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
 constexpr double kReaches = 1.0 + 2.5 * kGivesWay;  // times the wanted increment: no farther a target ends it
 
 }  // namespace
@@ -200,12 +201,17 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     Increment increment = along_path ? try_path(observer) : solve({end}, observer);
     if (!increment.failure)
       increment.failure = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs());
-    if (!increment.failure) increment.failure = large_flow(model_, state_.history.plastic, assembler_.plastic());
     if (increment.failure) {
       const double size = along_path ? place_.stretch : taken;
       ++cuts;
       if (shorten(taken, least)) continue;
       return given_up(*increment.failure, increment.load, size);
+    }
+    if (!along_path && taken > kShortForFlow * planned() &&
+        flows_far(model_, state_.history.plastic, assembler_.plastic())) {
+      ++cuts;
+      place_.step = 0.5 * taken;
+      continue;
     }
     if (!(increment.load > 0.0))
       return Failure{FailureKind::Unloaded, fmt::format("from load {:.6g}", state_.load),

@@ -25,8 +25,9 @@ void multipliers(benchmark::State& state, contact::NegativeSide side) {
   u.tail(2 * static_cast<Index>(surfaces.hats.nodes.size())).setConstant(-1e-3);
   contact::Multipliers multipliers;
   slider.look(u);
-  multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, contact::hats_at_rest(surfaces));
-  const auto memory = multipliers.advance(surfaces, slider.search.positions());
+  const auto rest = contact::hats_at_rest(surfaces);
+  multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, rest);
+  const auto memory = multipliers.advance(surfaces, slider.search.positions(), rest).memory;
   const auto displacements = 2 * slider.unknowns.displacements();
   u.head(displacements) = slider.shift({0.33 + 0.37 / cells, -1e-3}).head(displacements);
   slider.look(u);
