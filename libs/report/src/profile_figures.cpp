@@ -17,6 +17,7 @@ struct Quantity {
   const char* label;
   const char* unit;
   const char* caption;
+  bool may_lack = false;  // runs of earlier versions
 };
 
 constexpr std::array kQuantities{
@@ -27,9 +28,9 @@ constexpr std::array kQuantities{
              "Per current area of the face, positive in compression."},
     Quantity{"slip", "Slip", "cumulative slip", "m", "All sliding so far; it stays with a point that opens."},
     Quantity{"gap", "Gap", "gap", "m", "Below 0 the faces overlap; no value where nothing is opposite."},
-    Quantity{"opening", "Opening", "opening", "m", "Distance of the faces, 0 where they touch."},
+    Quantity{"opening", "Opening", "opening", "m", "Distance of the faces, 0 where they touch.", true},
     Quantity{"jump_t", "Tangential jump", "tangential jump", "m",
-             "By which the left face has moved along the crack's direction past the right one, open or closed."}};
+             "By which the left face has moved along the crack's direction past the right one, open or closed.", true}};
 
 // The rows of one output and face.
 struct Part {
@@ -73,9 +74,8 @@ std::vector<double> pick(const std::vector<double>& values, const std::vector<st
   return out;
 }
 
-// A run of an earlier version may lack a column.
-bool has(const scene::CsvTable& table, const char* column) {
-  return std::ranges::find(table.header, column) != table.header.end();
+bool lacks(const scene::CsvTable& table, const Quantity& q) {
+  return q.may_lack && std::ranges::find(table.header, q.column) == table.header.end();
 }
 
 // Colours tell outputs of runs apart, dashes the faces.
@@ -85,7 +85,7 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& cr
   int colour = -1;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const auto& c : runs[r].cracks) {
-      if (c.name != crack || !has(c.profile, q.column)) continue;
+      if (c.name != crack || lacks(c.profile, q)) continue;
       const Profile profile{c.profile, runs[r].directory + "/crack_" + crack + ".csv"};
       const auto s = profile.column("s"), y = profile.column(q.column);
       std::string output;
@@ -104,9 +104,9 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& cr
   return curves;
 }
 
-bool in_any(const std::vector<Run>& runs, const std::string& crack, const char* column) {
+bool in_any(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
   return std::ranges::any_of(runs, [&](const Run& run) {
-    return std::ranges::any_of(run.cracks, [&](const auto& c) { return c.name == crack && has(c.profile, column); });
+    return std::ranges::any_of(run.cracks, [&](const auto& c) { return c.name == crack && !lacks(c.profile, q); });
   });
 }
 
@@ -149,7 +149,7 @@ PageFigures profile_figures(const std::vector<Run>& runs) {
   PageFigures figures;
   for (const auto& crack : cracks)
     for (const auto& q : kQuantities)
-      if (in_any(runs, crack, q.column)) figures.push_back(figure_of(runs, crack, q));
+      if (in_any(runs, crack, q)) figures.push_back(figure_of(runs, crack, q));
   return figures;
 }
 

@@ -39,8 +39,8 @@ double largest_poisson(const Scene& scene) {
 }
 
 // Less smoothing than this is taken as this: where a crack has more hats than the elements along it let it open, what
-// they cannot answer to is held at nothing by it, and else it is the compliance of a ten thousandth of an element.
-constexpr double kLeastSmoothing = 1e-4;
+// they cannot answer to is held at nothing by it, and else it is the compliance of a millionth of an element.
+constexpr double kLeastSmoothing = 1e-6;
 
 // Stiffness of mortar contact and its hats.
 void set_up_hats(const Scene& scene, const std::vector<double>& scale, assembly::Model& m) {
