@@ -1,14 +1,15 @@
 #include "flow.hpp"
 
+#include <algorithm>
+
 namespace cleft::assembly {
 
-bool flows_far(const Model& model, const std::vector<constitutive::PlasticState>& before,
-               const std::vector<constitutive::PlasticState>& now) {
-  constexpr double kFar = 0.1;  // growth of the plastic multiplier
-  if (now.empty()) return false;
-  for (std::size_t p = 0; p < model.cells.size(); ++p)
-    if (now[p].accumulated - before[p].accumulated > kFar) return true;
-  return false;
+double largest_flow(const Model& model, const std::vector<constitutive::PlasticState>& before,
+                    const std::vector<constitutive::PlasticState>& now) {
+  double out = 0.0;
+  for (std::size_t p = 0; p < std::min(now.size(), model.cells.size()); ++p)
+    out = std::max(out, now[p].accumulated - before[p].accumulated);
+  return out;
 }
 
 }  // namespace cleft::assembly

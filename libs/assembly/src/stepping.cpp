@@ -104,13 +104,13 @@ bool LoadStepper::shorten(double taken, double least) {
   return place_.step >= least;
 }
 
-// Part of its share of the largest energy that the last increment missed: what the energies leave unexplained or, where
-// the increment before shows it, what the trapezoidal rule makes of forces that bend.
+// Part of its share of the largest energy that the last increment missed: what the trapezoidal rule makes of forces
+// that bend against the increment before or, where that does not tell, what the energies leave unexplained.
 double LoadStepper::missed_work(const State& before, bool goes_on) const {
-  const double unexplained = std::fabs(state_.energies.imbalance() - before.energies.imbalance());
-  const double bent = goes_on ? trapezoidal_error(model_, constraints_, before, state_) : 0.0;
+  const double missed = goes_on ? trapezoidal_error(model_, constraints_, before, state_)
+                                : std::fabs(state_.energies.imbalance() - before.energies.imbalance());
   const double share = (state_.load - before.load) / state_.load;
-  return std::max(unexplained, bent) / (state_.energies.largest * share + std::numeric_limits<double>::min());
+  return missed / (state_.energies.largest * share + std::numeric_limits<double>::min());
 }
 
 // theory (9.7): the increment that would have missed what the accuracy allows, with some caution.
@@ -207,9 +207,9 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       if (shorten(taken, least)) continue;
       return given_up(*increment.failure, increment.load, size);
     }
-    if (!along_path && taken > kShortForFlow * planned() &&
-        flows_far(model_, state_.history.plastic, assembler_.plastic())) {
-      ++cuts;
+    const double flow = along_path ? 0.0 : largest_flow(model_, state_.history.plastic, assembler_.plastic());
+    if (flow > kFarFlow && taken > kShortForFlow * planned()) {
+      iterations_before += static_cast<int>(increment.iterations.size());
       place_.step = 0.5 * taken;
       continue;
     }
@@ -222,7 +222,8 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
         before = *lower;
         continue;
       }
-    const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0;
+    const bool easy =
+        increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 && flow <= 0.5 * kFarFlow;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
     std::optional<Step> out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, known);
     if (!out) {
