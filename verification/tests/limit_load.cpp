@@ -38,10 +38,10 @@ TEST(LimitLoad, IsPassedAlongThePathAndWithViscosityToTheSameEnd) {
   const auto top = std::adjacent_find(load.begin(), load.end(), std::greater<>());
   ASSERT_NE(top, load.end()) << "the load never falls";
   EXPECT_LT(*std::min_element(top, load.end()), *top - 0.01);
-  EXPECT_LE(path.result.cuts, 2);
+  EXPECT_LE(path.result.cuts, 3);
   EXPECT_LE(path.result.iterations, 4 * path.result.increments);
   const Solved viscous = solve("block_yield_finite", {kMesh, "material.viscosity=1e7"});
-  EXPECT_LE(viscous.result.cuts, 2);
+  EXPECT_LE(viscous.result.cuts, 0);
   EXPECT_GT(viscous.result.energies.viscous_dissipation, 0.0);
 
   Case table("yielding block, finite strain, 32 across, beyond the limit load");

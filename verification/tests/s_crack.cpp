@@ -13,9 +13,10 @@ namespace {
 
 const std::string kElastic = "material={model='hencky',young=1e10,poisson=0.3}";
 
-void expect_full_shear(const Solved& run, int cuts) {
+// `shortened`: increments in which a cell would flow by more than a tenth.
+void expect_full_shear(const Solved& run, int cuts, int shortened = 0) {
   EXPECT_EQ(run.result.end, scene::RunResult::End::Done);
-  EXPECT_LE(run.result.increments, 200 + cuts);
+  EXPECT_LE(run.result.increments, 200 + cuts + shortened);
   EXPECT_LE(run.result.cuts, cuts);
   EXPECT_LE(run.result.iterations, 4 * run.result.increments);
 }
@@ -30,10 +31,10 @@ TEST(SCrack, ReachesFullShearOnEitherSideElasticAndPlastic) {
 }
 
 TEST(SCrack, ReachesFullShearOnFinerMeshes) {
-  expect_full_shear(solve("s_crack", {"mesh.refine=1.7"}), 2);  // twice as many nodes
-  expect_full_shear(solve("s_crack", {"mesh.refine=2"}), 2);
+  expect_full_shear(solve("s_crack", {"mesh.refine=1.7"}), 0, 2);  // twice as many nodes
+  expect_full_shear(solve("s_crack", {"mesh.refine=2"}), 0, 4);
   // four times as many: bands of flow that narrow with the elements turn the load back, viscosity holds them
-  expect_full_shear(solve("s_crack", {"mesh.refine=2.7", "material.viscosity=1e8"}), 2);
+  expect_full_shear(solve("s_crack", {"mesh.refine=2.7", "material.viscosity=1e8"}), 0, 4);
 }
 
 TEST(SCrack, AFreeTopRisesWithNoForce) {

@@ -208,7 +208,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       return given_up(*increment.failure, increment.load, size);
     }
     const double flow = along_path ? 0.0 : largest_flow(model_, state_.history.plastic, assembler_.plastic());
-    if (flow > kFarFlow && taken > kShortForFlow * planned()) {
+    if (flow > kFarFlow && place_.step < planned() && taken > kShortForFlow * planned()) {
       iterations_before += static_cast<int>(increment.iterations.size());
       place_.step = 0.5 * taken;
       continue;
