@@ -284,7 +284,7 @@ Step LoadStepper::commit(const Increment& increment) {
   if (!model_.surfaces.hats.empty()) {
     auto& hats = state_.history.hats;
     auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
-    energies.contact += step.stored;
+    energies.contact += step.memory.stored;
     energies.friction_dissipation += step.friction;
     energies.contact_pressure_work += step.pressure;
     hats = std::move(step.memory);

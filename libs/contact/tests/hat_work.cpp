@@ -44,7 +44,7 @@ TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   const auto steady = advanced({0.03, 0.0}, before.multiplier);
   EXPECT_NEAR(steady.friction, kFriction * kPressure * 0.03 * 0.97, 1e-12) << "of what is still opposite";
   EXPECT_NEAR(steady.pressure, 0.0, 1e-12) << "the faces are parallel";
-  EXPECT_NEAR(steady.stored, 0.0, 1e-12) << "tractions are uniform";
+  EXPECT_NEAR(steady.memory.stored, 0.0, 1e-12) << "tractions are uniform";
   const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressure, 3.0 * kFriction * kPressure));
   EXPECT_NEAR(harder.friction, 2.0 * kFriction * kPressure * 0.03 * 0.97, 1e-12);
 }
@@ -63,7 +63,7 @@ TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
   EXPECT_EQ(apart.friction, 0.0);
   EXPECT_EQ(apart.pressure, 0.0);
-  EXPECT_EQ(apart.stored, 0.0);
+  EXPECT_EQ(apart.memory.stored, 0.0);
 }
 
 TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
