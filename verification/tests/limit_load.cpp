@@ -13,6 +13,8 @@ namespace cleft::verification {
 namespace {
 
 const std::string kMesh = "mesh.cells=[32,64]";
+// Both as they were compared first, with increments of the same length.
+const std::string kAnyFlow = "solver.max_plastic_increment=0";
 
 TEST(LimitLoad, StopsARunThatOnlyRaisesTheLoad) {
   const auto scene = scene_of("block_yield_finite", {kMesh});
@@ -33,15 +35,15 @@ TEST(LimitLoad, StopsARunThatOnlyRaisesTheLoad) {
 }
 
 TEST(LimitLoad, IsPassedAlongThePathAndWithViscosityToTheSameEnd) {
-  const Solved path = solve("block_yield_finite", {kMesh, "loading.control=\"path\""});
+  const Solved path = solve("block_yield_finite", {kMesh, kAnyFlow, "loading.control=\"path\""});
   const auto load = path.history.column("load");
   const auto top = std::adjacent_find(load.begin(), load.end(), std::greater<>());
   ASSERT_NE(top, load.end()) << "the load never falls";
   EXPECT_LT(*std::min_element(top, load.end()), *top - 0.01);
-  EXPECT_LE(path.result.cuts, 3);
+  EXPECT_LE(path.result.cuts, 2);
   EXPECT_LE(path.result.iterations, 4 * path.result.increments);
-  const Solved viscous = solve("block_yield_finite", {kMesh, "material.viscosity=1e7"});
-  EXPECT_LE(viscous.result.cuts, 0);
+  const Solved viscous = solve("block_yield_finite", {kMesh, kAnyFlow, "material.viscosity=1e7"});
+  EXPECT_LE(viscous.result.cuts, 2);
   EXPECT_GT(viscous.result.energies.viscous_dissipation, 0.0);
 
   Case table("yielding block, finite strain, 32 across, beyond the limit load");

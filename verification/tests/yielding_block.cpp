@@ -11,7 +11,8 @@ TEST(YieldingBlock, ReachesFullLoadAtFiniteStrainWithTheReactionsOfThePrototype)
   for (const int across : {8, 16}) {
     const std::string cells = std::to_string(across) + "," + std::to_string(2 * across);
     Case table("yielding block, finite strain, " + std::to_string(across) + " across");
-    const Solved run = solve("block_yield_finite", {"mesh.cells=[" + cells + "]"});
+    // the prototype does not look at how far an increment flows
+    const Solved run = solve("block_yield_finite", {"mesh.cells=[" + cells + "]", "solver.max_plastic_increment=0"});
     EXPECT_LE(run.result.cuts, 2);
     EXPECT_LE(run.result.iterations, 4 * run.result.increments);
     const auto& energies = run.result.energies;

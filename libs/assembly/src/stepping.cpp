@@ -208,7 +208,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       return given_up(*increment.failure, increment.load, size);
     }
     const double flow = along_path ? 0.0 : largest_flow(model_, state_.history.plastic, assembler_.plastic());
-    if (flow > kFarFlow && place_.step < planned() && taken > kShortForFlow * planned()) {
+    if (flow > controls_.max_flow && taken > kShortForFlow * planned()) {
       iterations_before += static_cast<int>(increment.iterations.size());
       place_.step = 0.5 * taken;
       continue;
@@ -222,8 +222,8 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
         before = *lower;
         continue;
       }
-    const bool easy =
-        increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 && flow <= 0.5 * kFarFlow;
+    const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 &&
+                      flow <= 0.5 * controls_.max_flow;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
     std::optional<Step> out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, known);
     if (!out) {
@@ -331,7 +331,7 @@ Step LoadStepper::commit(const Increment& increment) {
   if (!model_.surfaces.hats.empty()) {
     auto& hats = state_.history.hats;
     auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
-    energies.contact += step.stored;
+    energies.contact += step.memory.stored;
     energies.friction_dissipation += step.friction;
     energies.contact_pressure_work += step.pressure;
     hats = std::move(step.memory);

@@ -91,7 +91,9 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
           VecX::Zero(static_cast<Index>(hats.nodes.size())),
           std::vector<double>(hats.intervals.size(), 1.0),
           trails_at_rest(surfaces),
-          std::vector<double>(hats.nodes.size(), 0.0)};
+          std::vector<double>(hats.nodes.size(), 0.0),
+          std::vector<double>(hats.nodes.size(), 0.0),
+          0.0};
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
@@ -238,9 +240,9 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     out.by_own = c * node.length * Mat2::Identity();
     return;
   }
-  s.plastic_slip = s.slip - smooth.y();
+  s.smooth = smooth;
+  s.plastic_slip = s.supported ? s.slip - smooth.y() : 0.0;
   if (!s.supported) {
-    s.plastic_slip = 0.0;
     level(0, 0.0);
     level(1, 0.0);
     s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
@@ -314,6 +316,8 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
   }
   for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
   out.trails = trails_of(surfaces, at, pieces_);
+  for (const auto& node : nodes_) out.smooth.push_back(node.smooth.x());
+  out.stored = stored_energy(surfaces);
   out.slope.assign(nodes_.size(), 0.0);
   for (std::size_t o = 0; o < overlaps_.size(); ++o) {
     const auto& [strip, partner, first, last] = overlaps_[o];
@@ -354,11 +358,22 @@ double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMe
                                   mortar_of(surfaces, at).scale, slide});
 }
 
+// Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z
+// changes with the place, too, and takes up what it does not store.
+double Multipliers::smoothing_work(Index i, const HatMemory& before) const {
+  const auto& node = nodes_[i];
+  if (!node.supported) return 0.0;
+  const Vec2 mean = 0.5 * (before.multiplier.segment<2>(2 * i) + node.traction());
+  return mean.dot(Vec2(node.smooth.x() - before.smooth[i], node.smooth.y()));
+}
+
 // theory (8.7)
 HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
-  HatAdvance out{remembered(surfaces, at), stored_energy(surfaces)};
+  HatAdvance out{remembered(surfaces, at)};
+  out.pressure = before.stored - out.memory.stored;
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
     out.friction += friction_work(surfaces, i, before);
+    out.pressure += smoothing_work(i, before);
     out.pressure +=
         0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
   }

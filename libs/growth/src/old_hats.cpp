@@ -91,8 +91,12 @@ contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, 
     const double share = (node.s - first) / (second - first);
     out.multiplier.segment<2>(2 * i) = (1.0 - share) * memory.multiplier.segment<2>(2 * interval.first) +
                                        share * memory.multiplier.segment<2>(2 * interval.second);
-    out.slope[i] = (1.0 - share) * memory.slope[interval.first] + share * memory.slope[interval.second];
-    out.mismatch[i] = (1.0 - share) * memory.mismatch[interval.first] + share * memory.mismatch[interval.second];
+    const auto between = [&](const auto& of_node) {
+      return (1.0 - share) * of_node[interval.first] + share * of_node[interval.second];
+    };
+    out.slope[i] = between(memory.slope);
+    out.smooth[i] = between(memory.smooth);
+    out.mismatch[i] = between(memory.mismatch);
     out.status[i] = memory.status[share < 0.5 ? interval.first : interval.second];
   }
   for (std::size_t k = 0; k < now.intervals.size(); ++k) {
@@ -101,6 +105,7 @@ contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, 
     const Index e = kept[first.crack].holds(middle) ? interval_at(from, first, middle) : kNone;
     if (e != kNone) out.coverage[k] = memory.coverage[e];
   }
+  out.stored = memory.stored;
   out.trails = trails_on(from, memory.trails, kept, to);
   return out;
 }

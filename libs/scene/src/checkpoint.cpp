@@ -109,6 +109,8 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, hats.mismatch);
   pass(io, hats.coverage, io);
   pass(io, hats.slope, io);
+  pass(io, hats.smooth, io);
+  io(hats.stored);
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);

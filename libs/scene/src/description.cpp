@@ -148,6 +148,7 @@ Json physics(const Scene& s) {
                  {"min_iterations", s.solver.min_iterations},
                  {"max_iterations", s.solver.max_iterations},
                  {"min_step", s.solver.min_step},
+                 {"max_plastic_increment", s.solver.max_plastic_increment},
                  {"extrapolate", s.solver.extrapolate},
                  {"gauss_points", s.solver.gauss_points},
                  {"search_radius", s.solver.search_radius}};

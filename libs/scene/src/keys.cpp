@@ -115,6 +115,9 @@ constexpr std::array kKeys = {
     Key{"solver", "min_iterations", "integer", "corrections made even if the residual is small already; default 0"},
     Key{"solver", "max_iterations", "integer", "before an increment is cut; default 12"},
     Key{"solver", "min_step", "number", "smallest increment of the load; default 1e-4"},
+    Key{"solver", "max_plastic_increment", "number",
+        "growth of a cell's plastic multiplier beyond which an increment is halved, down to 1/16 of 1/steps; 0: any; "
+        "default 0.1"},
     Key{"solver", "extrapolate", "true or false", "start from the last increment continued; default true"},
     Key{"solver", "gauss_points", "integer", "contact points a crack segment, 1 to 4; default 2"},
     Key{"solver", "search_radius", "number", "m; default by scale"},

@@ -342,6 +342,7 @@ assembly::StepControls step_controls(const Scene& scene) {
   c.accuracy = scene.solver.accuracy;
   c.kinks = kinks_of(scene);
   c.min_step = scene.solver.min_step;
+  if (scene.solver.max_plastic_increment > 0.0) c.max_flow = scene.solver.max_plastic_increment;
   c.control = scene.loading.control;
   c.newton = {scene.solver.residual_tolerance, scene.solver.correction_tolerance, scene.solver.min_iterations,
               scene.solver.max_iterations, scene.solver.extrapolate};

@@ -186,6 +186,9 @@ SolverSpec read_solver(const Section& s) {
   if (out.min_iterations > out.max_iterations)
     s.fail("min_iterations", fmt::format("more than max_iterations; allowed: 0 to {}", out.max_iterations));
   out.min_step = s.number_or("min_step", out.min_step, small, "between 0 and 1");
+  out.max_plastic_increment = s.number_or(
+      "max_plastic_increment", out.max_plastic_increment, [](double x) { return x >= 0.0; },
+      "a positive number, or 0 (any)");
   out.extrapolate = s.flag_or("extrapolate", out.extrapolate);
   out.gauss_points = s.integer_or("gauss_points", out.gauss_points, 1, 4);
   out.search_radius = s.number_or(

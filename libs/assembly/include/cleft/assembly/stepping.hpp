@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "cleft/assembly/equilibrium.hpp"
 #include "cleft/assembly/newton.hpp"
@@ -22,6 +23,10 @@ struct StepControls {
   std::vector<double> kinks;  ///< loads at which an amplitude turns; they are hit, ascending
   /// Smallest increment of the load before the run is given up; at most a hundredth of the way to the next load to hit.
   double min_step = 1e-4;
+  /// What a cell may flow by in an increment of the load, as growth of its plastic multiplier, before that is halved,
+  /// down to a sixteenth of 1/steps. The return map takes the direction of flow at the end for that of the whole
+  /// increment: too long ones flow too easily, and a run of them comes to a limit load that the body does not have.
+  double max_flow = std::numeric_limits<double>::infinity();
   Control control = Control::Load;
   NewtonControls newton;
 };

@@ -54,6 +54,8 @@ struct HatMemory {
   std::vector<double> coverage;  ///< per interval, 0 to 1
   std::vector<Trail> trails;     ///< anchors
   std::vector<double> slope;     ///< per node, of what lies opposite against the face, the mean over its hat
+  std::vector<double> smooth;    ///< per node, Z(l_N), m^2
+  double stored = 0.0;           ///< energy in Z, J/m
 };
 HatMemory hats_at_rest(const Surfaces& surfaces);
 
@@ -69,6 +71,7 @@ struct NodeState {
   Vec2 past_mismatch = Vec2::Zero();      ///< HatMemory::mismatch, of the tangential component, Pa
   Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face and the past mismatch, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
+  Vec2 smooth = Vec2::Zero();             ///< Z of both components, m^2
   double plastic_slip = 0.0;              ///< S - Z, m^2: the part of the slip that no compliance gives back
   double slides = 0.0;                    ///< sign of the traction of a node that slips
 
@@ -98,9 +101,8 @@ struct NodeCondition {
 /// Memory of the hats, and the work of their tractions in one increment that is not stored, J/m.
 struct HatAdvance {
   HatMemory memory;
-  double stored = 0.0;    ///< energy in Z at the end of the increment
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
-  double pressure = 0.0;  ///< of the pressure along sloping faces
+  double pressure = 0.0;  ///< of the pressure along sloping faces, and what Z takes up and does not store
 };
 
 /// Which conditions the nodes have: those of their own state, or all that have something opposite those of one that
@@ -139,6 +141,7 @@ class Multipliers {
   HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
   double stored_energy(const Surfaces& surfaces) const;
   double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;
+  double smoothing_work(Index node, const HatMemory& before) const;
 
   std::vector<Piece> pieces_;
   std::vector<Overlap> overlaps_;

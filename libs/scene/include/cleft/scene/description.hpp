@@ -151,6 +151,7 @@ struct SolverSpec {
   int min_iterations = 0;
   int max_iterations = 12;
   double min_step = 1e-4;
+  double max_plastic_increment = 0.1;  ///< growth of the plastic multiplier beyond which an increment is halved; 0: any
   bool extrapolate = true;
   int gauss_points = 2;        ///< per crack segment
   double search_radius = 0.0;  ///< metres; 0: by scale
