@@ -171,6 +171,8 @@ TEST(EnergyAccount, IsFoundOpenWhereTheWorkIsWrongAndOnlyThere) {
     false_alarms += off < 0.005 && is_told(coarse);
   }
   fmt::print("{} off by 2 % or more, {} by less than 0.5 %, {} told\n", wrong, right, told);
+  EXPECT_GT(wrong, 0);
+  EXPECT_GT(right, wanted / 4);
   table.compare("off by 2 % or more and not told", missed, exact(0), within(0, ""));
   table.compare("off by less than 0.5 % and told", false_alarms, exact(0), within(0, ""));
 }

@@ -20,6 +20,8 @@ class Chatter {
   /// Whether its correction is to be halved: late, while the residual has not fallen below half of the least so far,
   /// and points go round in circles or change without progress.
   bool halves();
+  /// Whether the contact is late and does not settle by itself: it goes round in circles or the residual hardly falls.
+  bool struggles() const { return is_late() && (circles_ || slow_); }
   /// Whether there are no further corrections: unless contact still changes and the residual falls, all are made.
   bool is_over() const;
   /// Whether an iteration that goes well would have found its contact.

@@ -7,6 +7,9 @@ namespace {
 
 using contact::ContactProblem, contact::NodeChoice;
 
+// Components of the nodes: the dense problem takes a second or so. Larger ones are left to the iteration.
+constexpr Index kMost = 1000;
+
 // Hats with something opposite.
 std::vector<Index> supported(const Assembler& assembler) {
   std::vector<Index> out;
@@ -78,18 +81,18 @@ std::optional<VecX> contact_step(const Model& model, const History& history, con
                                  Assembler& assembler, LinearSolver& solver) {
   Condensed condensed(model, history, u, du, assembler);
   const auto count = static_cast<Index>(2 * condensed.nodes().size());
-  if (count == 0 || assembler.assemble(u, history, contact::Conditions::Stick)) return std::nullopt;
+  if (count == 0 || count > kMost || assembler.assemble(u, history, contact::Conditions::Stick)) return std::nullopt;
   condensed.set_levels(du);
-  Eigen::MatrixXd responses(u.size(), count);
+  VecX on_rows = VecX::Zero(u.size());
   for (Index k = 0; k < count; ++k) {
-    VecX unit = VecX::Zero(u.size());
-    unit[condensed.row(k)] = 1.0;
-    responses.col(k) = solver.solve(unit);
-    condensed.add_response(k, responses.col(k));
+    on_rows[condensed.row(k)] = 1.0;
+    condensed.add_response(k, solver.solve(on_rows));
+    on_rows[condensed.row(k)] = 0.0;
   }
   const auto changes = condensed.solve();
   if (!changes) return std::nullopt;
-  return du + responses * *changes;
+  for (Index k = 0; k < count; ++k) on_rows[condensed.row(k)] = (*changes)[k];
+  return du + solver.solve(on_rows);
 }
 
 }  // namespace cleft::assembly

@@ -21,9 +21,10 @@ namespace {
 // Extrapolation pays only while the boundary goes on as before.
 constexpr double kSameWay = 0.5;
 
-void predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
+// Whether u has become the last increment continued.
+bool predict(const State& state, const std::vector<Constraint>& constraints, const VecX& target, double load, VecX& u) {
   const double before = state.load - state.previous_load;
-  if (!(before > 0.0)) return;
+  if (!(before > 0.0)) return false;
   const VecX guess =
       state.displacement + ((load - state.load) / before) * (state.displacement - state.previous_displacement);
   double missed = 0.0, moved = 0.0;
@@ -32,7 +33,9 @@ void predict(const State& state, const std::vector<Constraint>& constraints, con
     missed = std::max(missed, std::fabs(target[k] - guess[c]));
     moved = std::max(moved, std::fabs(target[k] - state.displacement[c]));
   }
-  if (missed <= kSameWay * moved) u = guess;
+  if (missed > kSameWay * moved) return false;
+  u = guess;
+  return true;
 }
 
 // A correction beyond this many times the body's extent and the prescribed motion comes from a matrix that is singular
@@ -141,13 +144,26 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
   change.setZero();
 }
 
-// Where hats still change late in an iteration: whether the correction has become the one that settles them.
-bool solve_contact(const Model& model, const History& history, const VecX& u, const Chatter& chatter,
+// The largest displacement of an unknown, metres.
+double farthest(const Model& model, const VecX& u) {
+  return u.head(2 * model.unknowns.displacements()).cwiseAbs().maxCoeff();
+}
+
+// Where hats still change late in an iteration: whether the correction has become the one that settles them, unless a
+// part that they let go would fly away.
+bool solve_contact(const Model& model, const History& history, const VecX& u, double reach, const Chatter& chatter,
                    const ActiveSet& active, Assembler& assembler, LinearSolver& solver, VecX& du) {
-  if (!chatter.is_late() || !active.hats_change()) return false;
+  if (!chatter.struggles() || !active.hats_change()) return false;
   auto step = contact_step(model, history, u, du, assembler, solver);
-  if (step) du = std::move(*step);
-  return step.has_value();
+  if (!step || !step->allFinite() || farthest(model, *step) > reach) return false;
+  du = std::move(*step);
+  return true;
+}
+
+// A part that nothing but contact holds has left, correction by correction.
+Failure left_behind(const Model& model, const VecX& moved) {
+  return {FailureKind::Singular, flew_away(model, moved, 0.0),
+          "prescribing more components, or bringing the parts into contact (is every part of the body held?)"};
 }
 
 }  // namespace
@@ -168,7 +184,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   if (along_path)
     u += goal.stretch * (state.displacement - state.previous_displacement);
   else if (controls.extrapolate)
-    predict(state, constraints, target, load, u);
+    out.extrapolated = predict(state, constraints, target, load, u);
   VecX change(target.size());
   for (std::size_t k = 0; k < constraints.size(); ++k) change[k] = target[k] - u[constraints[k].component];
   const double reach = extent_of(model.mesh) + (change.size() > 0 ? change.cwiseAbs().maxCoeff() : 0.0);
@@ -176,6 +192,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
 
   ActiveSet active;
   Chatter chatter(controls.max_iterations);
+  bool parts_held = false;
   double correction = std::numeric_limits<double>::infinity(), moves = correction;
   double first_residual = 0.0, last_residual = std::numeric_limits<double>::infinity();
   for (int i = 0;; ++i) {
@@ -287,15 +304,20 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
         return out;
       }
       du = std::move(*held);
+      parts_held = true;
     }
-    if (!along_path && in_place && !solve_contact(model, state.history, u, chatter, active, assembler, solver, du) &&
-        chatter.halves()) {
+    if (!along_path && in_place &&
+        !solve_contact(model, state.history, u, reach, chatter, active, assembler, solver, du) && chatter.halves()) {
       du *= 0.5;
       it.chatters = true;
     }
     u += du;
     move_boundary(constraints, target, u, change);
     const double moved = (u - state.displacement).cwiseAbs().maxCoeff();
+    if (parts_held && farthest(model, u - state.displacement) > reach) {
+      out.failure = left_behind(model, u - state.displacement);
+      return out;
+    }
     moves = du.cwiseAbs().maxCoeff();
     correction = moved > 0.0 ? moves / moved : 0.0;
     it.correction = correction;

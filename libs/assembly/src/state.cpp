@@ -17,8 +17,8 @@ double Energies::size() const {
 }
 
 void Energies::end_increment(double least) {
-  largest = std::max({largest, size(), least});
-  largest_imbalance = std::max(largest_imbalance, std::fabs(imbalance()));
+  largest = std::max(largest, size());
+  if (std::fabs(imbalance()) > least) largest_imbalance = std::max(largest_imbalance, std::fabs(imbalance()));
 }
 
 State state_at_rest(const Model& model) {

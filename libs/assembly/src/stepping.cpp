@@ -19,6 +19,7 @@ namespace {
 constexpr double kCrumb = 1e-2;             // of the way to the next target: however short, it may be cut to this
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 constexpr double kShortest = 1.0 / 4096;    // along the path, of the last increment
+constexpr double kLongest = 1e4;            // the same, after one that was short because it ended at a load to hit
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
 constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
 constexpr double kReaches = 1.0 + 2.5 * kGivesWay;  // times the wanted increment: no farther a target ends it
@@ -71,9 +72,8 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
     return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
   };
   Increment out = attempt();
-  const bool extrapolated = newton.extrapolate && goal.load > state_.load && state_.load > state_.previous_load;
   // Where contact changes the last increment is no guide. On a path it is the path that goes on.
-  if (!out.failure || !extrapolated || controls_.control == Control::Path) return out;
+  if (!out.failure || !out.extrapolated || controls_.control == Control::Path) return out;
   newton.extrapolate = false;
   Increment again = attempt();
   return again.failure ? out : again;
@@ -98,7 +98,7 @@ bool LoadStepper::shorten(double taken, double least) {
   place_.step = 0.5 * taken;
   if (controls_.control == Control::Path && state_.progress.size() > 0 && !turns_at(controls_, state_.load)) {
     const double last = std::fabs(state_.load - state_.previous_load);
-    place_.stretch = last > 0.0 ? std::max(place_.step / last, 2.0 * kShortest) : 1.0;
+    place_.stretch = last > 0.0 ? std::clamp(place_.step / last, 2.0 * kShortest, kLongest) : 1.0;
     return true;
   }
   return place_.step >= least;
@@ -155,7 +155,7 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
 double LoadStepper::cut_short(const Increment& increment) const {
   if (increment.load != next_mark()) return 1.0;
   const double made = state_.progress.dot(increment.displacement - state_.displacement);
-  return made > 0.0 ? place_.stretch / made : 1.0;
+  return made > 0.0 ? std::min(place_.stretch / made, kLongest) : 1.0;
 }
 
 Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
@@ -278,9 +278,9 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
   }
 }
 
-// Forces at rounding do work, too, where a body moves without strain: energies below that tell nothing.
+// Forces at rounding do work, too, where a body moves without strain: an imbalance below that tells nothing.
 void LoadStepper::end_account() {
-  constexpr double kRounding = 1e4 * std::numeric_limits<double>::epsilon();
+  constexpr double kRounding = 1e2 * std::numeric_limits<double>::epsilon();
   const auto& u = state_.displacement;
   const double moved = u.head(2 * model_.unknowns.displacements()).cwiseAbs().maxCoeff();
   state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);

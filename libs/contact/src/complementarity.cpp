@@ -44,7 +44,8 @@ bool is_same(double a, double b) {
 // as opposite ones of a crack with hats on both faces, change together, and blind changes go by rank and by trial.
 class Search {
  public:
-  Search(const ContactProblem& problem, std::vector<NodeChoice>& choice) : problem_(problem), choice_(choice) {}
+  Search(const ContactProblem& problem, std::vector<NodeChoice>& choice)
+      : problem_(problem), choice_(choice), scale_(largest(problem.force, problem.level)) {}
 
   std::optional<VecX> run() {
     const int nodes = static_cast<int>(choice_.size());
@@ -65,8 +66,13 @@ class Search {
   }
 
  private:
+  static constexpr double kLoose = 1e-16;  // reciprocal condition number
   static constexpr int kPatience = 20;
   static constexpr double kWork = 1e9;  // of factorisations, a second or two
+
+  static double largest(const VecX& force, const VecX& level) {
+    return std::max(force.cwiseAbs().maxCoeff(), level.cwiseAbs().maxCoeff());
+  }
 
   // At the present choice; false where that leaves the body loose.
   bool solve() {
@@ -74,11 +80,11 @@ class Search {
     Eigen::MatrixXd A(2 * n, 2 * n);
     VecX b(2 * n);
     for (Eigen::Index i = 0; i < n; ++i) set_rows(i, A, b);
-    const VecX w = A.partialPivLu().solve(b);
-    if (!w.allFinite()) return false;
-    w_ = w;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(A);
+    if (!(factors.rcond() > kLoose)) return false;
+    w_ = factors.solve(b);
     const VecX force = problem_.force + problem_.by_force * w_, level = problem_.level + problem_.by_level * w_;
-    tolerance_ = kRounding * std::max(force.cwiseAbs().maxCoeff(), level.cwiseAbs().maxCoeff());
+    tolerance_ = kRounding * std::clamp(largest(force, level), scale_, 100.0 * scale_);
     trial_ = force + level;
     wanted_.resize(choice_.size());
     for (Eigen::Index i = 0; i < n; ++i) wanted_[i] = wanted(problem_.laws[i], choice_[i], trial_.segment<2>(2 * i));
@@ -151,6 +157,7 @@ class Search {
   const ContactProblem& problem_;
   std::vector<NodeChoice>& choice_;
   std::vector<Wanted> wanted_;
+  const double scale_;  // of forces and levels where the search begins, N/m
   VecX w_, trial_;
   double tolerance_ = 0.0;  // N/m
   std::set<std::vector<int>> met_;

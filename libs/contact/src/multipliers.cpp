@@ -324,7 +324,8 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
     const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
     const auto ends = hats.ends(strip);
     for (int k = 0; k < 2; ++k)
-      out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
+      if (nodes_[ends[k]].supported)
+        out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
   }
   return out;
 }
@@ -348,14 +349,19 @@ double Multipliers::stored_energy(const Surfaces& surfaces) const {
 double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
   const auto& node = nodes_[i];
   const auto& at = surfaces.hats.nodes[i];
-  const double friction = surfaces.laws[at.crack].friction, slide = std::fabs(node.plastic_slip) / at.length;
+  const double friction = surfaces.laws[at.crack].friction, stiffness = mortar_of(surfaces, at).scale;
+  double slide = std::fabs(node.plastic_slip) / at.length;
   const double strength = friction * std::fabs(node.normal);
   if (before.status[i] == Status::Open)
     return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
   if (node.status == Status::Stick) return 0.0;
+  if (node.status == Status::Open) {  // it slid as long as it pressed, if its gap changed evenly
+    const double pressed = std::fabs(before.multiplier[2 * i]), apart = stiffness * std::max(0.0, node.gap) / at.length;
+    slide *= pressed > 0.0 ? pressed / (pressed + apart) : 0.0;
+  }
   const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
-  return at.length * friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength,
-                                  mortar_of(surfaces, at).scale, slide});
+  return at.length *
+         friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength, stiffness, slide});
 }
 
 // Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z

@@ -22,9 +22,13 @@ int decimals_of(double x) {
 }
 
 // What a coordinate is meant to be less the origin: 466002.3 less 466000 is 2.3, to which the difference of the two is
-// closer than to any other number of as few decimals. So a body is the same wherever it lies, to the last bit.
+// closer than to any other number of as few decimals. So a body that lies whole metres away is the same to the last
+// bit.
 double less(double x, double origin) {
-  return std::stod(fmt::format("{:.{}f}", x - origin, std::max(decimals_of(x), decimals_of(origin))));
+  const std::string text = fmt::format("{:.{}f}", x - origin, std::max(decimals_of(x), decimals_of(origin)));
+  double out = 0.0;  // stays for what is too small for a number
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
 }
 
 void shift(std::array<double, 4>& box, const Vec2& origin) {

@@ -108,7 +108,7 @@ nlohmann::ordered_json grown(const growth::Evolution& evolution) {
 }
 
 nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evolution, const RunResult& result,
-                               const Seconds& seconds) {
+                               const Seconds& seconds, const std::vector<std::string>& notes) {
   const auto& stepper = evolution.stepper();
   const auto& model = evolution.model();
   const auto solver = evolution.solver_seconds();
@@ -166,7 +166,7 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
                   {"energy_relative", e.energy / e.energy_exact}};
   }
   if (grows(scene)) j["growth"] = grown(evolution);
-  j["remarks"] = remarks(scene, model);
+  j["remarks"] = notes;
   for (const auto& remark : result.remarks) j["remarks"].push_back(remark);
   j["scene"] = nlohmann::ordered_json::parse(to_json(scene));
   return j;
@@ -207,8 +207,9 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     of_folder = remove_results(options.directory);
   seconds.before = kept.seconds;
   if (options.remark && !of_folder.empty()) options.remark(of_folder);
+  const auto notes = remarks(scene, model);
   if (options.remark)
-    for (const auto& note : remarks(scene, model)) options.remark(note);
+    for (const auto& note : notes) options.remark(note);
   growth::Evolution evolution = make_evolution(scene, std::move(model));
   if (options.resume) evolution.restore(kept.growth, kept.state, kept.place, kept.room);
   Results results(scene, options.directory, options.resume ? &kept : nullptr);
@@ -318,7 +319,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.seconds = clock.seconds();
   try {
     write_atomically(results.path("run.json"),
-                     summary(scene, evolution, result, seconds)
+                     summary(scene, evolution, result, seconds, notes)
                              .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
                          "\n");
   } catch (const std::runtime_error& error) {

@@ -12,8 +12,6 @@ using geometry::TipBall;
 constexpr double kSoundError = 1.0;     // percent
 constexpr double kWithin = 1.0 - 1e-9;  // of the reach; not on its rim but for rounding
 
-std::string place_of(const Vec2& x) { return fmt::format("({:.6g}, {:.6g})", x.x(), x.y()); }
-
 const char* end_of_reach(const TipBall& ball) {
   if (ball.reach == ball.radius) return "the ball of branch functions ends";
   return ball.reach == ball.frame.straight_until() ? "the crack bends" : "the body ends";
@@ -27,7 +25,8 @@ void refuse_narrow(const Scene& scene, const assembly::Model& m, Index tip) {
       scene.cracks[ball.crack].at, fmt::format("crack[{}] '{}'", ball.crack, scene.cracks[ball.crack].name),
       fmt::format("its stress intensity factors are asked for, but {:.3g} m from the tip {}, {:.2g} element sizes, {}; "
                   "allowed: at least half an element size, {:.3g} m",
-                  ball.reach, place_of(ball.frame.tip()), elements, end_of_reach(ball), assembly::least_reach(m, tip)));
+                  ball.reach, m.words_for(ball.frame.tip()), elements, end_of_reach(ball),
+                  assembly::least_reach(m, tip)));
 }
 
 void refuse_short_advances(const Scene& scene, const assembly::Model& m, Index tip) {
@@ -53,7 +52,7 @@ void refuse_held_nodes(const Scene& scene, const assembly::Model& m, Index tip) 
           scene.boundaries[p].at, fmt::format("boundary[{}] '{}'", p, scene.boundaries[p].name),
           fmt::format("holds the node {} in the ball of a tip of crack '{}', whose stress intensity factors are "
                       "asked for; allowed: nodes outside of the ball, or a smaller formulation.tip_enrichment",
-                      place_of(X), scene.cracks[ball.crack].name));
+                      m.words_for(X), scene.cracks[ball.crack].name));
     }
 }
 
@@ -73,7 +72,7 @@ std::string reach_remark(const Scene& scene, const assembly::Model& m, Index tip
   const double elements = assembly::elements_within_reach(m, tip);
   std::string out =
       fmt::format("crack '{}': the intensities of the tip {} are taken within {:.3g} m of it, {:.2g} element sizes",
-                  scene.cracks[ball.crack].name, place_of(ball.frame.tip()), ball.reach, elements);
+                  scene.cracks[ball.crack].name, m.words_for(ball.frame.tip()), ball.reach, elements);
   if (ball.reach < ball.radius)
     out += fmt::format(", where {} (the ball has {:.3g} m)", end_of_reach(ball), ball.radius);
   const double error = expected_error(m, tip);

@@ -231,7 +231,8 @@ TEST(MapCoordinatesOfGrowth, AreWrittenAndSaid) {
   }
   const auto json = nlohmann::json::parse(read_bytes(folder / "map/run.json"));
   const auto& tip = json["growth"]["f"]["points"].back();
-  EXPECT_NEAR(tip[0].get<double>(), map.column("X").back(), 1e-9 + 20.0);
+  const auto& X = map.column("X");
+  EXPECT_TRUE(std::ranges::any_of(X, [&](double x) { return std::fabs(x - tip[0].get<double>()) < 1e-9; }));
   EXPECT_GT(tip[0].get<double>(), 466000.0);
   EXPECT_EQ(json["scene"]["crack"][0]["points"][0], (nlohmann::json{466003.0, 6692002.9}));
   bool told = false;

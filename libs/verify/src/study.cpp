@@ -182,10 +182,10 @@ void check_series(const Quantity& q, const Series& s, std::vector<std::string>& 
       missed.push_back(
           fmt::format("{}: {} {:.4g} is not within [{}, {}]", name, what, value, (*within)[0], (*within)[1]));
   };
-  check("order", s.fit.order, q.order_within);
-  if (s.has_errors)
+  if (s.has_errors) {
+    check("order", s.fit.order, q.order_within);
     check("limit", s.fit.limit, q.limit_within);
-  else if (q.limit_within)
+  } else if (q.order_within || q.limit_within)
     missed.push_back(fmt::format("{}: no limit is determined: {}", name, s.fit.remark));
 }
 

@@ -47,9 +47,10 @@ struct Increment {
   double load = 0.0;
   VecX displacement;
   std::vector<Iteration> iterations;
-  Iteration left;        ///< residual after the last correction, with no correction of its own
-  double force = 0.0;    ///< the scale of that residual, N/m
-  double rounded = 0.0;  ///< the same over the largest force so far, where rounding ended the iteration; else 0
+  bool extrapolated = false;  ///< it began where the last increment leads if it goes on
+  Iteration left;             ///< residual after the last correction, with no correction of its own
+  double force = 0.0;         ///< the scale of that residual, N/m
+  double rounded = 0.0;       ///< the same over the largest force so far, where rounding ended the iteration; else 0
 };
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;

@@ -30,7 +30,7 @@ struct Energies {
   double size() const;
   /// The largest imbalance so far over the largest energy so far; 0 where there has been none.
   double relative_imbalance() const { return largest > 0.0 ? largest_imbalance / largest : 0.0; }
-  /// Takes the present entries for those of an increment that has ended; no energy counts as less than `least`.
+  /// Takes the present entries for those of an increment that has ended; an imbalance up to `least` is rounding.
   void end_increment(double least);
 };
 

@@ -17,8 +17,8 @@ enum class Control : std::uint8_t { Load, Path };
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
-  /// Part of its share of the external work that an increment longer than 1/steps may miss, or it is made anew; 0: none
-  /// is longer. The size of each follows from what the one before missed.
+  /// Part of its share of the largest energy so far that an increment longer than 1/steps may miss, or it is made anew;
+  /// 0: none is longer. The size of each follows from what the one before missed.
   double accuracy = 0.0;
   std::vector<double> kinks;  ///< loads at which an amplitude turns; they are hit, ascending
   /// Smallest increment of the load before the run is given up; at most a hundredth of the way to the next load to hit.
