@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "friction_work.hpp"
-
 namespace cleft::contact {
 namespace {
 
@@ -25,13 +23,6 @@ Compliance compliance(const Mortar& mortar, double length, double covered) {
   const double scale = mortar.compliance * length / 12.0, bare = 1.0 - covered / (kCover * length);
   if (bare <= 0.0) return {mortar.smoothing * scale, 0.0};
   return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
-}
-
-// Of what lies opposite against the face.
-double slope_of(const Surfaces& surfaces, const FacePositions& at, Index face, Index partner) {
-  if (surfaces.undeformed) return 0.0;
-  const Vec2 own = at.end[face] - at.start[face], e = at.end[partner] - at.start[partner];
-  return surfaces.faces[face].normal_sign() * e.dot(turn_left(own)) / e.dot(own);
 }
 
 bool has_hats_on_both_faces(const Surfaces& surfaces) {
@@ -302,34 +293,6 @@ Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta)
           normal, tangential};
 }
 
-HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
-  const auto& hats = surfaces.hats;
-  HatMemory out;
-  const auto count = static_cast<Index>(nodes_.size());
-  out.multiplier.resize(2 * count);
-  out.mismatch = VecX::Zero(count);
-  for (Index i = 0; i < count; ++i) {
-    const NodeState& node = nodes_[i];
-    out.status.push_back(node.status);
-    out.multiplier.segment<2>(2 * i) = node.traction();
-    if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
-  }
-  for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
-  out.trails = trails_of(surfaces, at, pieces_);
-  for (const auto& node : nodes_) out.smooth.push_back(node.smooth.x());
-  out.stored = stored_energy(surfaces);
-  out.slope.assign(nodes_.size(), 0.0);
-  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
-    const auto& [strip, partner, first, last] = overlaps_[o];
-    const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
-    const auto ends = hats.ends(strip);
-    for (int k = 0; k < 2; ++k)
-      if (nodes_[ends[k]].supported)
-        out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
-  }
-  return out;
-}
-
 // theory (8.5): half of the sum of l Z(l)
 double Multipliers::stored_energy(const Surfaces& surfaces) const {
   double out = 0.0;
@@ -343,46 +306,6 @@ double Multipliers::stored_energy(const Surfaces& surfaces) const {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     out += 0.5 * mortar_of(surfaces, hats.nodes[i]).compliance *
            nodes_[i].traction().dot(nodes_[i].beyond + nodes_[i].support * nodes_[i].past_mismatch);
-  return out;
-}
-
-double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
-  const auto& node = nodes_[i];
-  const auto& at = surfaces.hats.nodes[i];
-  const double friction = surfaces.laws[at.crack].friction, stiffness = mortar_of(surfaces, at).scale;
-  double slide = std::fabs(node.plastic_slip) / at.length;
-  const double strength = friction * std::fabs(node.normal);
-  if (before.status[i] == Status::Open)
-    return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
-  if (node.status == Status::Stick) return 0.0;
-  if (node.status == Status::Open) {  // it slid as long as it pressed, if its gap changed evenly
-    const double pressed = std::fabs(before.multiplier[2 * i]), apart = stiffness * std::max(0.0, node.gap) / at.length;
-    slide *= pressed > 0.0 ? pressed / (pressed + apart) : 0.0;
-  }
-  const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
-  return at.length *
-         friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength, stiffness, slide});
-}
-
-// Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z
-// changes with the place, too, and takes up what it does not store.
-double Multipliers::smoothing_work(Index i, const HatMemory& before) const {
-  const auto& node = nodes_[i];
-  if (!node.supported) return 0.0;
-  const Vec2 mean = 0.5 * (before.multiplier.segment<2>(2 * i) + node.traction());
-  return mean.dot(Vec2(node.smooth.x() - before.smooth[i], node.smooth.y()));
-}
-
-// theory (8.7)
-HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
-  HatAdvance out{remembered(surfaces, at)};
-  out.pressure = before.stored - out.memory.stored;
-  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
-    out.friction += friction_work(surfaces, i, before);
-    out.pressure += smoothing_work(i, before);
-    out.pressure +=
-        0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
-  }
   return out;
 }
 

@@ -49,6 +49,14 @@ TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressure * 0.03 * 0.97, 1e-12);
 }
 
+TEST_P(HatWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
+  constexpr double kApart = 1e-4;  // how far the faces that bear it are apart
+  before.status.assign(before.status.size(), Status::Slip);
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  EXPECT_NEAR(advanced({0.03, kApart}, before.multiplier).pressure, -0.03 * kPressure * kApart, 1e-13);
+  EXPECT_NEAR(advanced({0.03, -kApart}, before.multiplier).pressure, 0.03 * kPressure * kApart, 1e-13);
+}
+
 TEST_P(HatWork, OfFacesThatStickIsNothing) {
   before.multiplier = tractions(-kPressure, 0.0);
   const auto stick = advanced({0.0, 0.0}, tractions(-kPressure, 0.3 * kRough));

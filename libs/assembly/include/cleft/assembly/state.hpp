@@ -17,7 +17,7 @@ struct Energies {
   double external_work = 0.0;         ///< cumulative, by the trapezoidal rule
   double released = 0.0;              ///< cumulative, by cracks that grew: what new faces no longer hold
   /// Cumulative work of the contact pressure that is not stored, of either sign: where a face slides along one that
-  /// slopes against it, and of springs that lose their partner at a mouth.
+  /// slopes against it, and of what loses its partner at a mouth.
   double contact_pressure_work = 0.0;
   double largest = 0.0;            ///< largest `size` so far: what an imbalance is judged by
   double largest_imbalance = 0.0;  ///< without sign, of all increments so far

@@ -102,7 +102,7 @@ struct NodeCondition {
 struct HatAdvance {
   HatMemory memory;
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
-  double pressure = 0.0;  ///< of the pressure along sloping faces, and what Z takes up and does not store
+  double pressure = 0.0;  ///< of the pressure along sloping faces and at mouths, and what Z takes up and does not store
 };
 
 /// Which conditions the nodes have: those of their own state, or all that have something opposite those of one that
@@ -142,6 +142,7 @@ class Multipliers {
   double stored_energy(const Surfaces& surfaces) const;
   double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;
   double smoothing_work(Index node, const HatMemory& before) const;
+  double mouth_work(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const;
 
   std::vector<Piece> pieces_;
   std::vector<Overlap> overlaps_;

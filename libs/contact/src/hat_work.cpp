@@ -1,0 +1,138 @@
+// What the hats remember, and the work of their tractions.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cleft/contact/multipliers.hpp"
+#include "friction_work.hpp"
+
+namespace cleft::contact {
+namespace {
+
+// Of what lies opposite against the face.
+double slope_of(const Surfaces& surfaces, const FacePositions& at, Index face, Index partner) {
+  if (surfaces.undeformed) return 0.0;
+  const Vec2 own = at.end[face] - at.start[face], e = at.end[partner] - at.start[partner];
+  return surfaces.faces[face].normal_sign() * e.dot(turn_left(own)) / e.dot(own);
+}
+
+bool is_free(const enrichment::Face& face, const Bound& bound) {
+  return (bound.place == 0.0 ? face.previous : face.next) == kNone;
+}
+
+double arc_length(const enrichment::Face& face, double eta) { return face.s_start + eta * (face.s_end - face.s_start); }
+
+// The arc length on the other face that was opposite an end of `partner` when the last increment had converged.
+std::optional<double> place_before(const Surfaces& surfaces, const std::vector<Trail>& trails, Index partner,
+                                   double end) {
+  constexpr double kSame = 1e-6;
+  for (const auto& trail : trails) {
+    if (trail.anchor_face != partner) continue;
+    if (std::fabs(trail.anchor_begin - end) < kSame) return arc_length(surfaces.faces[trail.face], trail.begin);
+    if (std::fabs(trail.anchor_end - end) < kSame) return arc_length(surfaces.faces[trail.face], trail.end);
+  }
+  return std::nullopt;
+}
+
+// g_N where an end of the partner is opposite.
+double gap_at(const FacePositions& at, const enrichment::Face& face, Index own, double eta, Index partner,
+              const Bound& bound) {
+  const Vec2 along = at.end[own] - at.start[own];
+  const Vec2& end = bound.place == 0.0 ? at.start[partner] : at.end[partner];
+  return face.normal_sign() * (end - at.start[own] - eta * along).dot(turn_left(along)) / along.norm();
+}
+
+}  // namespace
+
+HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
+  const auto& hats = surfaces.hats;
+  HatMemory out;
+  const auto count = static_cast<Index>(nodes_.size());
+  out.multiplier.resize(2 * count);
+  out.mismatch = VecX::Zero(count);
+  for (Index i = 0; i < count; ++i) {
+    const NodeState& node = nodes_[i];
+    out.status.push_back(node.status);
+    out.multiplier.segment<2>(2 * i) = node.traction();
+    if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
+  }
+  for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
+  out.trails = trails_of(surfaces, at, pieces_);
+  for (const auto& node : nodes_) out.smooth.push_back(node.smooth.x());
+  out.stored = stored_energy(surfaces);
+  out.slope.assign(nodes_.size(), 0.0);
+  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
+    const auto& [strip, partner, first, last] = overlaps_[o];
+    const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
+    const auto ends = hats.ends(strip);
+    for (int k = 0; k < 2; ++k)
+      if (nodes_[ends[k]].supported)
+        out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
+  }
+  return out;
+}
+
+double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
+  const auto& node = nodes_[i];
+  const auto& at = surfaces.hats.nodes[i];
+  const double friction = surfaces.laws[at.crack].friction, stiffness = surfaces.mortar[at.crack].scale;
+  double slide = std::fabs(node.plastic_slip) / at.length;
+  const double strength = friction * std::fabs(node.normal);
+  if (before.status[i] == Status::Open)
+    return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
+  if (node.status == Status::Stick) return 0.0;
+  if (node.status == Status::Open) {  // it slid as long as it pressed, if its gap changed evenly
+    const double pressed = std::fabs(before.multiplier[2 * i]), apart = stiffness * std::max(0.0, node.gap) / at.length;
+    slide *= pressed > 0.0 ? pressed / (pressed + apart) : 0.0;
+  }
+  const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
+  return at.length *
+         friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength, stiffness, slide});
+}
+
+// Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z
+// changes with the place, too, and takes up what it does not store.
+double Multipliers::smoothing_work(Index i, const HatMemory& before) const {
+  const auto& node = nodes_[i];
+  if (!node.supported) return 0.0;
+  const Vec2 mean = 0.5 * (before.multiplier.segment<2>(2 * i) + node.traction());
+  return mean.dot(Vec2(node.smooth.x() - before.smooth[i], node.smooth.y()));
+}
+
+// What lies opposite the end of the other face, and bears a pressure through a gap of either sign, is let go as that
+// end moves on: by t_N g_N per length. G misses it, since less of the face counts.
+double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
+  const auto& hats = surfaces.hats;
+  double out = 0.0;
+  for (const auto& piece : pieces_)
+    for (const bool at_end : {false, true}) {
+      const Bound& bound = at_end ? piece.end_at : piece.begin_at;
+      if (!bound.by_partner || !is_free(surfaces.faces[piece.partner], bound)) continue;
+      const auto old = place_before(surfaces, before.trails, piece.partner, bound.place);
+      if (!old) continue;
+      const Strip& strip = hats.strips[piece.strip];
+      const auto& face = surfaces.faces[strip.face];
+      const double eta = at_end ? piece.end : piece.begin;
+      const double moved = arc_length(face, eta) - *old;
+      const double pressure = traction(surfaces, strip.face, eta).normal;
+      const auto& interval = hats.intervals[strip.interval];
+      const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
+      out += factor * (at_end ? -moved : moved) * pressure * gap_at(at, face, strip.face, eta, piece.partner, bound);
+    }
+  return out;
+}
+
+// theory (8.7)
+HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
+  HatAdvance out{remembered(surfaces, at)};
+  out.pressure = before.stored - out.memory.stored + mouth_work(surfaces, at, before);
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
+    out.friction += friction_work(surfaces, i, before);
+    out.pressure += smoothing_work(i, before);
+    out.pressure +=
+        0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
+  }
+  return out;
+}
+
+}  // namespace cleft::contact
