@@ -85,7 +85,7 @@ TEST_P(Rotation, LeavesTractionsAndSlipOfASlidingCrackAsTheyAre) {
   table.compare("work of the turn over that before", run.at("external_work", 1.0) / pressed - 1.0, exact(0),
                 within(1e-8, "a rigid turn does no work: trapezoidal sums of forces that turn"));
   table.compare("energy unaccounted for, over work", run.result.energies.imbalance() / pressed, exact(0),
-                within(1e-4, "trapezoidal sums of work and friction over 10 increments"));
+                within(2e-4, "trapezoidal sums of work and friction over 10 increments: 2.6e-5 over 40"));
 }
 
 TEST_P(Rotation, LeavesTractionsOfAStickingCrackAsTheyAre) {

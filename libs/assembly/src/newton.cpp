@@ -46,6 +46,10 @@ constexpr double kFlewAway = 1e3;
 // of the one before: the level is but an estimate.
 constexpr double kStillFalls = 0.5;
 
+// A residual that no longer falls is rounding, too, up to this many times the level: the solution of the equations has
+// errors of its own, as on needles.
+constexpr double kNearRounding = 100.0;
+
 double extent_of(const geometry::Mesh& mesh) {
   const auto [low, high] = geometry::box_around(mesh);
   return (high - low).norm();
@@ -243,7 +247,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       const double missing = resolution.missing(residual);
       const bool falls =
           missing > kUnnoticedResidual && residual < kStillFalls * last_residual && i < controls.max_iterations;
-      if (converged || (residual <= floor && !falls)) {
+      const bool stays = residual <= kNearRounding * floor && residual >= kStillFalls * last_residual &&
+                         it.status_changes + it.partner_changes == 0;
+      if (converged || (residual <= floor && !falls) || stays) {
         out.left = it;
         out.force = scale;
         out.rounded = converged ? 0.0 : missing;

@@ -23,13 +23,14 @@ struct BulkErrors {
 };
 
 BulkErrors bulk_errors(const Model& model, double reach) {
+  constexpr double kSum = 4.0;  // products and sums of a gradient that stands for itself
   const bool adds_one = !model.is_small_strain() || model.has_memory();  // or plastic strains of any size
   const double modulus = model.stiffness();
   double at_one = 0.0, of_gradient = 0.0;
   for_each_material_point(model, [&](std::size_t, const auto& point, double weight) {
     for (const auto& g : point.gradient) {
       const double steep = g.norm(), force = modulus * weight * steep;
-      const double one = force * (kOperations + reach * steep), gradient = force * kOperations * reach * steep;
+      const double one = force * (kOperations + reach * steep), gradient = force * kSum * reach * steep;
       at_one += one * one;
       of_gradient += gradient * gradient;
     }

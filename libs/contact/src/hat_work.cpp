@@ -75,19 +75,14 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
 double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
   const auto& node = nodes_[i];
   const auto& at = surfaces.hats.nodes[i];
-  const double friction = surfaces.laws[at.crack].friction, stiffness = surfaces.mortar[at.crack].scale;
-  double slide = std::fabs(node.plastic_slip) / at.length;
+  const double friction = surfaces.laws[at.crack].friction, slide = std::fabs(node.plastic_slip) / at.length;
   const double strength = friction * std::fabs(node.normal);
   if (before.status[i] == Status::Open)
     return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
   if (node.status == Status::Stick) return 0.0;
-  if (node.status == Status::Open) {  // it slid as long as it pressed, if its gap changed evenly
-    const double pressed = std::fabs(before.multiplier[2 * i]), apart = stiffness * std::max(0.0, node.gap) / at.length;
-    slide *= pressed > 0.0 ? pressed / (pressed + apart) : 0.0;
-  }
   const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
-  return at.length *
-         friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength, stiffness, slide});
+  return at.length * friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength,
+                                  surfaces.mortar[at.crack].scale, slide});
 }
 
 // Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z

@@ -85,15 +85,6 @@ TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
   EXPECT_LT(sticks_first, 0.9 * most);
 }
 
-// They part early in an increment that takes them far apart: what they go on to slide has no friction.
-TEST_P(HatWork, OfFacesThatPartEndsWhereTheyPart) {
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
-  const double just_open = advanced({0.02, 1e-9}, tractions(0.0, 0.0)).friction;
-  const double apart = s.surfaces.mortar[0].scale * 0.01;
-  EXPECT_NEAR(advanced({0.02, 0.01}, tractions(0.0, 0.0)).friction, just_open * kPressure / (kPressure + apart),
-              0.05 * just_open * kPressure / (kPressure + apart));
-}
-
 TEST_P(HatWork, OfFacesThatTouchIsThatOfHalfOfTheirSlide) {
   before.status.assign(before.status.size(), Status::Open);
   const auto touching = advanced({0.04, 0.0}, tractions(-kPressure, 0.0));
