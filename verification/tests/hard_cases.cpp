@@ -176,13 +176,15 @@ std::vector<HardCase> blocks() {
 
 std::vector<HardCase> edge_cracks() {
   const auto overlap = [](const Solved& run) { return run.result.overlap; };
+  // on the way single points may carry peaks for an increment: so stiff springs oscillate
+  const auto at_the_end = [](const Solved& run) { return -run.at("min_gap", 1.0) / 0.005; };
   const auto pressed = [](double penalty) {
     return Overrides{fmt::format("crack.main.contact={{normal_penalty={0},tangential_penalty={0}}}", penalty * 2e12)};
   };
   return {
       {"sliding with penalty 1e-2 E/h", "block", pressed(1e-2), "overlap that is told, over h", overlap, exact(0.33),
        within(0.23, "between 0.1, from where on the program warns, and the shortening seen across the crack, 0.57 h")},
-      {"sliding with penalty 1e4 E/h", "block", pressed(1e4), "overlap over h", overlap, exact(0.0),
+      {"sliding with penalty 1e4 E/h", "block", pressed(1e4), "overlap at full load, over h", at_the_end, exact(0.0),
        within(3e-5, "ten times the mean pressure, 300 MPa, over the penalty")},
   };
 }
