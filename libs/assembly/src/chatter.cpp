@@ -14,6 +14,7 @@ void Chatter::look_at(int iteration, const Iteration& it, bool again) {
   iteration_ = iteration;
   circles_ = again;
   slow_ = it.residual > kSlow * least_;
+  slow_in_a_row_ = slow_ ? slow_in_a_row_ + 1 : 0;
   changes_ = it.status_changes + it.partner_changes > 0;
   since_late_change_ = changes_ && is_late() ? 0 : since_late_change_ + 1;
   since_least_ = it.residual < least_ ? 0 : since_least_ + 1;

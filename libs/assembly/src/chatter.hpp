@@ -20,8 +20,9 @@ class Chatter {
   /// Whether its correction is to be halved: late, while the residual has not fallen below half of the least so far,
   /// and points go round in circles or change without progress.
   bool halves();
-  /// Whether the contact is late and does not settle by itself: it goes round in circles or the residual hardly falls.
-  bool struggles() const { return is_late() && (circles_ || slow_); }
+  /// Whether the contact is late and does not settle by itself: it goes round in circles or the residual hardly falls
+  /// twice in a row.
+  bool struggles() const { return is_late() && (circles_ || slow_in_a_row_ > 1); }
   /// Whether there are no further corrections: unless contact still changes and the residual falls, all are made.
   bool is_over() const;
   /// Whether an iteration that goes well would have found its contact.
@@ -34,7 +35,7 @@ class Chatter {
   bool circles_ = false, slow_ = false, changes_ = false;        // at the last iterate
   int since_late_change_ = std::numeric_limits<int>::max() / 2;  // iterations
   double least_ = std::numeric_limits<double>::infinity();
-  int since_least_ = 0;  // iterations
+  int since_least_ = 0, slow_in_a_row_ = 0;  // iterations
   int halved_ = 0;
 };
 
