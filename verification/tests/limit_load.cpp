@@ -13,7 +13,7 @@ namespace cleft::verification {
 namespace {
 
 const std::string kMesh = "mesh.cells=[32,64]";
-// Both as they were compared first, with increments of the same length.
+// No bound on what flows in an increment: both then take increments of the same length.
 const std::string kAnyFlow = "solver.max_plastic_increment=0";
 
 TEST(LimitLoad, StopsARunThatOnlyRaisesTheLoad) {

@@ -1,33 +1,17 @@
 #include "loose_parts.hpp"
 
-#include <numeric>
+#include "cleft/support/disjoint_sets.hpp"
 
 namespace cleft::assembly {
 namespace {
 
 constexpr double kSoft = 1e-6;  // of the modulus; the part's load times its inverse must be seen to be too much
 
-// Parts as trees of unknowns.
-class Parts {
- public:
-  explicit Parts(Index unknowns) : parent_(static_cast<std::size_t>(unknowns)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index of(Index unknown) {
-    while (parent_[unknown] != unknown) unknown = parent_[unknown] = parent_[parent_[unknown]];
-    return unknown;
-  }
-  void join(Index a, Index b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<Index> parent_;
-};
-
 }  // namespace
 
 std::vector<Index> loose_unknowns(const Model& model, const std::vector<Constraint>& constraints) {
   const Index count = model.unknowns.displacements();
-  Parts parts(count);
+  DisjointSets parts(count);
   for_each_material_point(model, [&](std::size_t, const auto& point, double) {
     for (const Index unknown : point.unknown) parts.join(unknown, point.unknown[0]);
   });

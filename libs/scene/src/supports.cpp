@@ -4,24 +4,11 @@
 
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "cleft/support/disjoint_sets.hpp"
 
 namespace cleft::scene {
 namespace {
-
-// Sets of unknowns that belong together.
-class Parts {
- public:
-  explicit Parts(Index count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
-  Index of(Index k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(Index a, Index b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 // An unknown that moves a face's start. Where the crack runs through nodes a stencil also lists nodes beyond it, with
 // no weight, which belong to the other side.
@@ -32,8 +19,8 @@ Index mover(const enrichment::Face& face) {
   return face.start.unknown[most];
 }
 
-Parts parts_of(const assembly::Model& m) {
-  Parts parts(m.unknowns.count);
+DisjointSets parts_of(const assembly::Model& m) {
+  DisjointSets parts(m.unknowns.count);
   assembly::for_each_material_point(m, [&](std::size_t, const auto& point, double) {
     for (const Index unknown : point.unknown) parts.join(unknown, point.unknown[0]);
   });
@@ -71,7 +58,7 @@ struct Hold {
 std::optional<std::string> free_motion(const assembly::Model& m) {
   const auto [low, high] = geometry::box_around(m.mesh);
   const Vec2 centre = 0.5 * (low + high);
-  Parts parts = parts_of(m);
+  DisjointSets parts = parts_of(m);
   std::map<Index, Hold> holds;
   for (Index k = 0; k < m.unknowns.displacements(); ++k) {
     Hold& hold = holds[parts.of(k)];
