@@ -15,6 +15,10 @@ std::string describe(const Failure& failure) {
         return "a value is not finite";
       case FailureKind::Unloaded:
         return "the path of equilibrium leads back to load 0";
+      case FailureKind::Unloads:
+        return "beyond its limit load the body only unloads elastically";
+      case FailureKind::Plateau:
+        return "plateau: the body flows or slides on and bears no more";
       case FailureKind::ContactLost:
         return "faces in contact have passed through each other unseen";
       case FailureKind::Refused:

@@ -84,6 +84,8 @@ VecX LinearSolver::solve(const VecX& b) {
   return d.repeated ? d.umfpack.solve(b) : d.mumps.solve(b);
 }
 
+Pivots LinearSolver::pivots() const { return data_->repeated ? data_->umfpack.pivots() : data_->mumps.pivots(); }
+
 bool LinearSolver::has_factors() const { return data_->factors == Factors::Regular; }
 
 long LinearSolver::pattern() const { return data_->pattern; }

@@ -60,6 +60,7 @@ void Mumps::analyse(const BlockMatrix& m) {
   control(d, 14) = 30;                                           // per cent of workspace beyond the estimate
   control(d, 24) = 1;                                            // finds tiny pivots
   control(d, 28) = 1;                                            // analysis in one process
+  control(d, 33) = 1;                                            // tells the determinant
 
   rows_.clear();
   columns_.clear();
@@ -111,6 +112,12 @@ Factors Mumps::factorise(const BlockMatrix& m) {
   }
   constexpr int kTinyPivots = 28;
   return error == 0 && outcome(d, kTinyPivots) == 0 ? Factors::Regular : Factors::Doubtful;
+}
+
+Pivots Mumps::pivots() const {
+  constexpr int kDeterminant = 12, kLeast = 20, kLargest = 21;
+  const double* const info = data_->rinfog - 1;
+  return {info[kDeterminant] < 0.0, info[kLeast] / info[kLargest]};
 }
 
 VecX Mumps::solve(const VecX& b) {

@@ -26,6 +26,7 @@ class Mumps {
   void forget();                                 ///< the next matrix has another pattern
   Factors factorise(const BlockMatrix& matrix);  ///< doubtful with a tiny pivot: such factors do not solve
   VecX solve(const VecX& b);
+  Pivots pivots() const;  ///< of the last factorisation
 
  private:
   int call(int job) noexcept;

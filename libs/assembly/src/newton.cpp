@@ -133,6 +133,24 @@ LoadRate load_rate(const Model& model, const std::vector<Constraint>& constraint
       (prescribed_values(model, constraints, above) - prescribed_values(model, constraints, below)) / (above - below)};
 }
 
+// Where flow goes on without resistance the matrix is singular, and a load that rises along the path with it: the least
+// stiffness everywhere leaves the direction of the flow to the path's equation, and the forces are exact all the same.
+Factors factorise_propped(const Model& model, BlockMatrix& matrix, LinearSolver& solver) {
+  constexpr double kLeast = 1e-9;  // of the modulus: a condition of the matrix that the solution bears
+  for (Index unknown = 0; unknown < model.unknowns.displacements(); ++unknown)
+    matrix.add(matrix.find(unknown, unknown), kLeast * model.stiffness() * Mat2::Identity());
+  return solver.factorise(matrix);
+}
+
+// Every traction that a constraint on a gap or slip decides makes one pivot negative; without those the determinant
+// tells of the body.
+Pivots pivots_of_body(const LinearSolver& solver, const Assembler& assembler) {
+  Pivots out = solver.pivots();
+  for (const auto& condition : assembler.multipliers().conditions())
+    for (int row = 0; row < 2; ++row) out.negative_determinant ^= !(condition.by_own(row, row) > 0.0);
+  return out;
+}
+
 // Whether the factors of the iteration before do once more. After a Newton step the error is of second order in that
 // step: it took the residual from r1 to r2, and the same factors take it from r2 to about 2 r2^2 / r1.
 bool old_factors_do(const std::vector<Iteration>& before, const Iteration& now, const NewtonControls& controls) {
@@ -146,11 +164,6 @@ bool old_factors_do(const std::vector<Iteration>& before, const Iteration& now, 
 void move_boundary(const std::vector<Constraint>& constraints, const VecX& target, VecX& u, VecX& change) {
   for (std::size_t k = 0; k < constraints.size(); ++k) u[constraints[k].component] = target[k];
   change.setZero();
-}
-
-// The largest displacement of an unknown, metres.
-double farthest(const Model& model, const VecX& u) {
-  return u.head(2 * model.unknowns.displacements()).cwiseAbs().maxCoeff();
 }
 
 // Where hats still change late in an iteration: whether the correction has become the one that settles them, unless a
@@ -280,8 +293,10 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     const auto& s = solver.seconds();
     const double before = s.analyse + s.factorise + s.solve;
     VecX du;
-    const Factors factors = it.kept ? Factors::Regular : solver.factorise(assembler.matrix());
+    Factors factors = it.kept ? Factors::Regular : solver.factorise(assembler.matrix());
+    if (along_path && factors == Factors::Doubtful) factors = factorise_propped(model, assembler.matrix(), solver);
     if (factors != Factors::None) du = solver.solve(rhs);
+    if (factors != Factors::None) it.pivots = pivots_of_body(solver, assembler);
     if (factors != Factors::None && along_path) {  // theory (9.4)
       const VecX along = solver.solve(by_load);
       const double missing = goal.stretch - state.progress.dot(u + du - state.displacement);

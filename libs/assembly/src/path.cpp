@@ -1,5 +1,10 @@
 #include "path.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "cleft/assembly/stepping.hpp"
+
 namespace cleft::assembly {
 
 // theory (9.3)
@@ -23,5 +28,38 @@ VecX path_progress(const Model& model, const State& before, const VecX& displace
   if (!(grown > 0.0)) return {};
   return progress / grown;
 }
+
+double last_motion(const Model& model, const State& state) {
+  return farthest(model, state.displacement - state.previous_displacement);
+}
+
+bool has_jumped(const Energies& before, const Energies& after) {
+  // In increments that are merely long both are below 0.1 and 0.007, in jumps 0.3 and more.
+  constexpr double kOfChange = 0.05, kOfLargest = 2e-3;
+  const double missed = std::fabs(after.imbalance() - before.imbalance());
+  return missed > kOfChange * after.change(before) && missed > kOfLargest * after.largest;
+}
+
+bool unloads_elastically(const State& before, const std::vector<constitutive::PlasticState>& plastic, double load,
+                         bool stable) {
+  if (!stable || load >= before.load) return false;
+  const auto& past = before.history.plastic;
+  bool flowed = false;
+  for (std::size_t p = 0; p < plastic.size(); ++p) {
+    if (plastic[p].accumulated > past[p].accumulated) return false;
+    flowed = flowed || past[p].accumulated > 0.0;
+  }
+  return flowed;
+}
+
+void Plateau::follow(double now, double moved, double come) {
+  constexpr double kSame = 1e-4;
+  if (std::fabs(now - load) > kSame * std::fabs(load))
+    *this = {now, come, 0.0};
+  else
+    travelled += moved;
+}
+
+bool Plateau::goes_on() const { return extent > 0.0 && travelled >= extent; }
 
 }  // namespace cleft::assembly

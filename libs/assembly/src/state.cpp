@@ -1,19 +1,37 @@
 #include "cleft/assembly/state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cleft/assembly/patches.hpp"
 
 namespace cleft::assembly {
 
+namespace {
+
+std::array<double, 8> entries(const Energies& e) {
+  return {e.external_work,       e.elastic,  e.contact, e.friction_dissipation, e.plastic_dissipation,
+          e.viscous_dissipation, e.released, e.contact_pressure_work};
+}
+
+}  // namespace
+
 double Energies::size() const {
-  const auto entries = {
-      external_work,        elastic, contact, friction_dissipation, plastic_dissipation, viscous_dissipation, released,
-      contact_pressure_work};
   double out = 0.0;
-  for (const double entry : entries) out = std::max(out, std::fabs(entry));
+  for (const double entry : entries(*this)) out = std::max(out, std::fabs(entry));
   return out;
+}
+
+double Energies::change(const Energies& since) const {
+  const auto before = entries(since), now = entries(*this);
+  double out = 0.0;
+  for (std::size_t k = 0; k < now.size(); ++k) out += 0.5 * std::fabs(now[k] - before[k]);
+  return out;
+}
+
+double farthest(const Model& model, const VecX& unknowns) {
+  return unknowns.head(2 * model.unknowns.displacements()).cwiseAbs().maxCoeff();
 }
 
 void Energies::end_increment(double least) {

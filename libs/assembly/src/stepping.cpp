@@ -18,8 +18,9 @@ namespace {
 
 constexpr double kCrumb = 1e-2;             // of the way to the next target: however short, it may be cut to this
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
-constexpr double kShortest = 1.0 / 4096;    // along the path, of the last increment
-constexpr double kLongest = 1e4;            // the same, after one that was short because it ended at a load to hit
+constexpr double kShortest = 1.0 / 4096;    // along the path, of the longest increment so far
+constexpr double kJumpsNot = 1.0 / 64;      // the same: one so short is believed wherever it lands
+constexpr double kLongest = 1e4;            // of the last increment, where that was short to end at a load to hit
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
 constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
 constexpr double kReaches = 1.0 + 2.5 * kGivesWay;  // times the wanted increment: no farther a target ends it
@@ -89,19 +90,27 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
   return solve({next_mark()}, observer);
 }
 
-// After a failure: false where there is nothing shorter to try. From a kink the path leads no one knows where.
+// From a kink the path leads no one knows where.
+bool LoadStepper::knows_path() const {
+  return controls_.control == Control::Path && state_.progress.size() > 0 && !turns_at(controls_, state_.load);
+}
+
+// Whether the next increment along the path is longer than this part of the longest so far.
+bool LoadStepper::is_longer(double part) const {
+  return place_.stretch * last_motion(model_, state_) >= part * place_.longest;
+}
+
+// After a failure: false where there is nothing shorter to try.
 bool LoadStepper::shorten(double taken, double least) {
   if (place_.stretch > 0.0) {
     place_.stretch *= 0.5;
-    return place_.stretch >= kShortest;
+    return is_longer(kShortest);
   }
   place_.step = 0.5 * taken;
-  if (controls_.control == Control::Path && state_.progress.size() > 0 && !turns_at(controls_, state_.load)) {
-    const double last = std::fabs(state_.load - state_.previous_load);
-    place_.stretch = last > 0.0 ? std::clamp(place_.step / last, 2.0 * kShortest, kLongest) : 1.0;
-    return true;
-  }
-  return place_.step >= least;
+  if (!knows_path()) return place_.step >= least;
+  const double last = std::fabs(state_.load - state_.previous_load);
+  place_.stretch = last > 0.0 ? std::min(place_.step / last, kLongest) : 1.0;
+  return true;
 }
 
 // Part of its share of the largest energy that the last increment missed: what the trapezoidal rule makes of forces
@@ -134,21 +143,36 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
     lengthen(easy, planned());
     return out;
   }
-  const State before = state_;
-  const StepPlace place = place_;
-  const std::vector<contact::Pair> pairs = pairs_;
+  const Committed before{state_, place_, pairs_};
   out = commit(increment);
   end_account();
-  const double missed = missed_work(before, goes_on), fits = fitting(missed);
-  if (missed <= controls_.accuracy || increment.load - before.load <= kReaches * planned()) {
+  const double missed = missed_work(before.state, goes_on), fits = fitting(missed);
+  if (missed <= controls_.accuracy || increment.load - before.state.load <= kReaches * planned()) {
     lengthen(easy, fits);
     return out;
   }
-  state_ = before;
-  place_ = place;
-  pairs_ = pairs;
+  go_back_to(before);
   place_.step = std::max(planned(), fits);
   return std::nullopt;
+}
+
+// Where the path is followed an increment that has jumped off it is dropped while a shorter one might not.
+std::optional<Step> LoadStepper::commit_unless_jumped(const Increment& increment, bool easy, bool goes_on) {
+  const bool along_path = place_.stretch > 0.0;
+  if (!(along_path ? is_longer(kJumpsNot) : knows_path()))
+    return along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
+  const Committed before{state_, place_, pairs_};
+  auto out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
+  if (!out || !has_jumped(before.state.energies, state_.energies)) return out;
+  go_back_to(before);
+  (void)shorten(increment.load - state_.load, 0.0);
+  return std::nullopt;
+}
+
+void LoadStepper::go_back_to(const Committed& before) {
+  state_ = before.state;
+  place_ = before.place;
+  pairs_ = before.pairs;
 }
 
 // How many times as long an increment along the path was wanted as the one that ends at a mark.
@@ -173,6 +197,15 @@ Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
   return out;
 }
 
+// Why an increment that converged is none of the path.
+std::optional<Failure> LoadStepper::refuse(const Increment& increment) const {
+  if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
+  if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
+  const bool stable = !increment.iterations.back().pivots.negative_determinant;
+  if (!unloads_elastically(state_, assembler_.plastic(), increment.load, stable)) return std::nullopt;
+  return Failure{FailureKind::Unloads, "", "hardening, or a finer mesh: this is where the path of flow ends"};
+}
+
 // What ends the run: the failure of the last attempt and how small that was.
 Failure LoadStepper::given_up(Failure failure, double load, double size) const {
   const std::string place = failure.place.empty() ? "" : failure.place + ", ";
@@ -188,7 +221,15 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
   return failure;
 }
 
+// The path's end where nothing but flow or sliding goes on.
+std::optional<Failure> LoadStepper::plateau() const {
+  if (!place_.plateau.goes_on()) return std::nullopt;
+  return Failure{FailureKind::Plateau, fmt::format("no load above {:.6g}", place_.furthest),
+                 "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
+}
+
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
+  if (auto end = plateau()) return *end;
   const bool known = goes_on();
   if (!known) place_.step = std::min(place_.step, planned());
   const double least =
@@ -199,8 +240,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     const bool along_path = place_.stretch > 0.0;
     const double end = next_end(before), taken = end - state_.load;
     Increment increment = along_path ? try_path(observer) : solve({end}, observer);
-    if (!increment.failure)
-      increment.failure = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs());
+    if (!increment.failure) increment.failure = refuse(increment);
     if (increment.failure) {
       const double size = along_path ? place_.stretch : taken;
       ++cuts;
@@ -225,7 +265,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 &&
                       flow <= 0.5 * controls_.max_flow;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
-    std::optional<Step> out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, known);
+    std::optional<Step> out = commit_unless_jumped(increment, easy, known);
     if (!out) {
       iterations_before += static_cast<int>(increment.iterations.size());
       continue;
@@ -281,8 +321,7 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
 // Forces at rounding do work, too, where a body moves without strain: an imbalance below that tells nothing.
 void LoadStepper::end_account() {
   constexpr double kRounding = 1e2 * std::numeric_limits<double>::epsilon();
-  const auto& u = state_.displacement;
-  const double moved = u.head(2 * model_.unknowns.displacements()).cwiseAbs().maxCoeff();
+  const double moved = farthest(model_, state_.displacement);
   state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);
 }
 
@@ -290,7 +329,8 @@ Step LoadStepper::commit(const Increment& increment) {
   const double load = increment.load;
   pairs_ = assembler_.pairs();
   if (controls_.control == Control::Path)
-    state_.progress = path_progress(model_, state_, increment.displacement, assembler_.plastic());
+    if (auto w = path_progress(model_, state_, increment.displacement, assembler_.plastic()); w.size() > 0)
+      state_.progress = std::move(w);
   Energies& energies = state_.energies;
   energies.elastic = elastic_energy(model_, increment.displacement, assembler_.plastic());
   const auto work = plastic_dissipation(model_, increment.displacement, state_.history);
@@ -357,6 +397,11 @@ Step LoadStepper::commit(const Increment& increment) {
   state_.load = load;
   place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
+  if (controls_.control == Control::Path) {
+    const double moved = last_motion(model_, state_);
+    place_.longest = std::max(place_.longest, moved);
+    place_.plateau.follow(load, moved, farthest(model_, state_.displacement));
+  }
   return {.number = ++place_.number,
           .load = load,
           .iterations = increment.iterations,

@@ -35,7 +35,14 @@ Factors Umfpack::factorise(const BlockMatrix& m) {
                                         &numeric_, control.data(), info.data());
   if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
   if (status != UMFPACK_OK) return Factors::None;
-  return info[UMFPACK_RCOND] > kSuspiciousPivot ? Factors::Regular : Factors::Doubtful;
+  least_pivot_ = info[UMFPACK_RCOND];
+  return least_pivot_ > kSuspiciousPivot ? Factors::Regular : Factors::Doubtful;
+}
+
+Pivots Umfpack::pivots() const {
+  double mantissa = 0.0, exponent = 0.0;
+  umfpack_di_get_determinant(&mantissa, &exponent, numeric_, nullptr);
+  return {mantissa < 0.0, least_pivot_};
 }
 
 VecX Umfpack::solve(const VecX& b) const {

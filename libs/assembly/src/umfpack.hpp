@@ -15,11 +15,13 @@ class Umfpack {
   void forget();  ///< the next matrix has another pattern
   Factors factorise(const BlockMatrix& matrix);
   VecX solve(const VecX& b) const;
+  Pivots pivots() const;  ///< of the last factorisation
 
  private:
   SolverSeconds& seconds_;
   void* symbolic_ = nullptr;
   void* numeric_ = nullptr;
+  double least_pivot_ = 0.0;
 };
 
 }  // namespace cleft::assembly

@@ -9,7 +9,7 @@
 namespace cleft::scene {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 11\n";
+constexpr char kMagic[] = "cleft checkpoint 12\n";
 
 struct Writer {
   std::string out;
@@ -130,6 +130,8 @@ void pass(Io& io, Checkpoint& c) {
   io(c.place.step);
   io(c.place.stretch);
   io(c.place.furthest);
+  io(c.place.longest);
+  io(c.place.plateau);
   pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
   pass(io, c.growth);
   io(c.iterations);

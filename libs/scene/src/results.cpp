@@ -83,6 +83,8 @@ std::vector<std::string> history_columns(const Scene& scene) {
   if (grows(scene)) columns.emplace_back("released_energy");
   if (!scene.cracks.empty()) columns.emplace_back("contact_pressure_work");
   columns.emplace_back("energy_imbalance");
+  if (scene.loading.control == assembly::Control::Path)
+    columns.insert(columns.end(), {"determinant_sign", "least_pivot"});
   return columns;
 }
 
@@ -154,7 +156,14 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
       row += fmt::format(",{}", fmt::join(intensities_of(stepper, static_cast<Index>(k)), ","));
   if (grows(scene_)) row += fmt::format(",{}", e.released);
   if (!scene_.cracks.empty()) row += fmt::format(",{}", e.contact_pressure_work);
-  row += fmt::format(",{}\n", e.imbalance());
+  row += fmt::format(",{}", e.imbalance());
+  if (scene_.loading.control == assembly::Control::Path) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const auto pivots = step.iterations.empty() ? std::nullopt : std::optional(step.iterations.back().pivots);
+    row += fmt::format(",{},{}", !pivots ? kUnknown : pivots->negative_determinant ? -1.0 : 1.0,
+                       pivots ? pivots->least : kUnknown);
+  }
+  row += '\n';
   logs_.at("history.csv").append(row);
   if (!step.advances.empty()) add_advances(step, stepper.model());
 }

@@ -22,6 +22,12 @@ struct SolverSeconds {
 /// for rounding has doubtful ones.
 enum class Factors { None, Doubtful, Regular };
 
+/// What a factorisation tells of the stability of the body.
+struct Pivots {
+  bool negative_determinant = false;
+  double least = 1.0;  ///< smallest pivot over the largest, without sign
+};
+
 /// MUMPS, by L U or, of symmetric matrices, which may be indefinite, by L D L^T. Where it meets tiny pivots UMFPACK
 /// decides.
 class LinearSolver {
@@ -44,6 +50,9 @@ class LinearSolver {
 
   /// Solves A x = b with the last factorisation; with a doubtful one the solution is the motion that nothing resists.
   VecX solve(const VecX& b);
+
+  /// Of the last factorisation, which has left factors.
+  Pivots pivots() const;
 
   const SolverSeconds& seconds() const;
 

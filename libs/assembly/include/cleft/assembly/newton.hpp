@@ -30,6 +30,7 @@ struct Iteration {
   int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
   bool kept = false;      ///< the correction was made with the factors of an iteration before
+  Pivots pivots{};        ///< of these factors
   bool chatters = false;  ///< points of contact go round in circles; this correction was halved
 };
 

@@ -26,6 +26,8 @@ struct Energies {
     return external_work - elastic - contact - friction_dissipation - plastic_dissipation - viscous_dissipation -
            released - contact_pressure_work;
   }
+  /// Half of what all entries have changed by since, without signs: the energy that went from one into another.
+  double change(const Energies& since) const;
   /// The largest of the entries, without sign.
   double size() const;
   /// The largest imbalance so far over the largest energy so far; 0 where there has been none.
@@ -60,6 +62,9 @@ struct State {
 
 /// The body at rest: undeformed, crack faces closed and free of stress.
 State state_at_rest(const Model& model);
+
+/// The largest component of the displacements among all unknowns, without sign, metres.
+double farthest(const Model& model, const VecX& unknowns);
 
 /// Elastic energy of the bulk, J/m, at given displacements and what the material points then remember. Needs det F > 0
 /// everywhere.

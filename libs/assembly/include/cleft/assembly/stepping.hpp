@@ -43,12 +43,27 @@ struct Step {
   double rounded = 0.0;  ///< where rounding ended the iteration: what it left, over the largest force so far; else 0
 };
 
+/// Where the load no longer rises nor falls, and nothing but flow or sliding goes on.
+struct Plateau {
+  double load = 0.0;       ///< at its begin
+  double extent = 0.0;     ///< largest displacement of the body at its begin, metres
+  double travelled = 0.0;  ///< sum of the largest displacements of the increments since, metres
+
+  /// Takes an increment that has led to the load `now` and moved the body, which has come so far, all in metres by the
+  /// largest displacement. The plateau begins anew where the load has changed by 1e-4 of it.
+  void follow(double now, double moved, double come);
+  /// The body has moved on it as far as it had come at its begin.
+  bool goes_on() const;
+};
+
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
 struct StepPlace {
   int number = 0;
   double step = 0.0;      ///< increment of the load wanted next, whatever load to hit is nearer
   double stretch = 0.0;   ///< increment along the path to try next, over the last one; 0: the load's turn
   double furthest = 0.0;  ///< largest load so far
+  double longest = 0.0;   ///< largest displacement of an increment so far, metres
+  Plateau plateau;        ///< of the path
 };
 
 /// Where an increment should end besides the planned loads.
@@ -112,6 +127,8 @@ class LoadStepper {
   double next_mark() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
+  bool knows_path() const;
+  bool is_longer(double part) const;
   bool shorten(double taken, double least);
   double fitting(double missed) const;
   void lengthen(bool easy, double fits);
@@ -121,6 +138,15 @@ class LoadStepper {
   Step commit(const Increment& increment);
   std::optional<Step> commit_if_accurate(const Increment& increment, bool easy, bool goes_on);
   Step commit_on_path(const Increment& increment, bool easy);
+  std::optional<Step> commit_unless_jumped(const Increment& increment, bool easy, bool goes_on);
+  std::optional<Failure> refuse(const Increment& increment) const;
+  std::optional<Failure> plateau() const;
+  struct Committed {
+    State state;
+    StepPlace place;
+    std::vector<contact::Pair> pairs;
+  };
+  void go_back_to(const Committed& before);
   void end_account();
 
   const Model& model_;
