@@ -36,6 +36,28 @@ void print_energies(const assembly::Energies& e) {
                  e.largest == 0.0 ? "" : fmt::format(" {:>10.3g} %", 100.0 * value / e.largest));
 }
 
+// Limit points and bifurcations, the first of them.
+void print_critical(const std::vector<scene::CriticalPoint>& points) {
+  using Kind = scene::CriticalPoint::Kind;
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> limits, bifurcations;
+  for (const auto& p : points)
+    (p.kind == Kind::Bifurcation ? bifurcations : limits)
+        .push_back(fmt::format("{:.5g} ({}step {})", p.load,
+                               p.kind == Kind::Maximum   ? "maximum, "
+                               : p.kind == Kind::Minimum ? "minimum, "
+                                                         : "",
+                               p.step));
+  const auto told = [](std::vector<std::string> list) {
+    const std::size_t more = list.size() > kMost ? list.size() - kMost : 0;
+    list.resize(list.size() - more);
+    return fmt::format("load {}{}", fmt::join(list, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  };
+  if (!limits.empty()) print("limit points", told(limits));
+  if (!bifurcations.empty())
+    print("bifurcation", told(bifurcations) + ": another path branches off; an imperfection of the body chooses it");
+}
+
 // The phases that take most, and what is left.
 void print_times(const scene::RunResult& r) {
   constexpr double kWorthTelling = 0.02;
@@ -117,6 +139,7 @@ void print_summary(const scene::Scene& scene, const scene::RunResult& r, const s
   }
   if (!scene.cracks.empty()) print("overlap", fmt::format("{:.2g} element sizes at most", r.overlap));
   if (r.advances > 0) print("growth", fmt::format("{} advances of tips", r.advances));
+  print_critical(r.critical);
   print_energies(r.energies);
   print_times(r);
   print("memory", fmt::format("{:.0f} MB at most", r.peak_megabytes));

@@ -77,8 +77,8 @@ class Condensed {
 
 }  // namespace
 
-std::optional<VecX> contact_step(const Model& model, const History& history, const VecX& u, const VecX& du,
-                                 Assembler& assembler, LinearSolver& solver) {
+std::optional<Correction> contact_step(const Model& model, const History& history, const VecX& u, const VecX& du,
+                                       Assembler& assembler, const Bordered& system) {
   Condensed condensed(model, history, u, du, assembler);
   const auto count = static_cast<Index>(2 * condensed.nodes().size());
   if (count == 0 || count > kMost || assembler.assemble(u, history, contact::Conditions::Stick)) return std::nullopt;
@@ -86,13 +86,13 @@ std::optional<VecX> contact_step(const Model& model, const History& history, con
   VecX on_rows = VecX::Zero(u.size());
   for (Index k = 0; k < count; ++k) {
     on_rows[condensed.row(k)] = 1.0;
-    condensed.add_response(k, solver.solve(on_rows));
+    condensed.add_response(k, system.solve(on_rows).displacement);
     on_rows[condensed.row(k)] = 0.0;
   }
   const auto changes = condensed.solve();
   if (!changes) return std::nullopt;
   for (Index k = 0; k < count; ++k) on_rows[condensed.row(k)] = (*changes)[k];
-  return du + solver.solve(on_rows);
+  return system.solve(on_rows);
 }
 
 }  // namespace cleft::assembly

@@ -3,17 +3,17 @@
 
 #include <optional>
 
+#include "bordered.hpp"
 #include "cleft/assembly/assembler.hpp"
-#include "cleft/assembly/linear_solver.hpp"
 
 namespace cleft::assembly {
 
 /// Newton's correction `du` from the displacements `u` keeps every hat open, sticking or slipping as it is there. This
-/// is the correction with which all of them are, in the linearised problem, what they should be after it (the step of
-/// Josephy and Newton): the responses to changes of their conditions, two solutions with the factors of `solver` for
-/// each, make a small problem of its own. Nothing where that has no solution that is found. The assembler is left with
-/// other conditions at `u`.
-std::optional<VecX> contact_step(const Model& model, const History& history, const VecX& u, const VecX& du,
-                                 Assembler& assembler, LinearSolver& solver);
+/// is what joins it so that all of them are, in the linearised problem, what they should be after both (the step of
+/// Josephy and Newton): the responses to changes of their conditions, two solutions of the system for each, make a
+/// small problem of its own. Nothing where that has no solution that is found. The assembler is left with other
+/// conditions at `u`.
+std::optional<Correction> contact_step(const Model& model, const History& history, const VecX& u, const VecX& du,
+                                       Assembler& assembler, const Bordered& system);
 
 }  // namespace cleft::assembly

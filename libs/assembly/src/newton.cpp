@@ -9,6 +9,7 @@
 
 #include "active_set.hpp"
 #include "advice.hpp"
+#include "bordered.hpp"
 #include "chatter.hpp"
 #include "contact_step.hpp"
 #include "loose_parts.hpp"
@@ -166,15 +167,13 @@ void move_boundary(const std::vector<Constraint>& constraints, const VecX& targe
   change.setZero();
 }
 
-// Where hats still change late in an iteration: whether the correction has become the one that settles them, unless a
-// part that they let go would fly away.
-bool solve_contact(const Model& model, const History& history, const VecX& u, double reach, const Chatter& chatter,
-                   const ActiveSet& active, Assembler& assembler, LinearSolver& solver, VecX& du) {
-  if (!chatter.struggles() || !active.hats_change()) return false;
-  auto step = contact_step(model, history, u, du, assembler, solver);
-  if (!step || !step->allFinite() || farthest(model, *step) > reach) return false;
-  du = std::move(*step);
-  return true;
+// Where hats still change late in an iteration: what settles them beside the correction du, unless a part that they let
+// go would fly away.
+std::optional<Correction> settle_contact(const Model& model, const History& history, const VecX& u, const VecX& du,
+                                         double reach, Assembler& assembler, const Bordered& system) {
+  auto out = contact_step(model, history, u, du, assembler, system);
+  if (!out || !out->displacement.allFinite() || farthest(model, du + out->displacement) > reach) return std::nullopt;
+  return out;
 }
 
 // A part that nothing but contact holds has left, correction by correction.
@@ -292,19 +291,21 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (!it.kept) eliminate(constraints, modulus, assembler.matrix());
     const auto& s = solver.seconds();
     const double before = s.analyse + s.factorise + s.solve;
-    VecX du;
     Factors factors = it.kept ? Factors::Regular : solver.factorise(assembler.matrix());
     if (along_path && factors == Factors::Doubtful) factors = factorise_propped(model, assembler.matrix(), solver);
-    if (factors != Factors::None) du = solver.solve(rhs);
-    if (factors != Factors::None) it.pivots = pivots_of_body(solver, assembler);
-    if (factors != Factors::None && along_path) {  // theory (9.4)
-      const VecX along = solver.solve(by_load);
-      const double missing = goal.stretch - state.progress.dot(u + du - state.displacement);
-      const double change_of_load = missing / state.progress.dot(along);
-      du += change_of_load * along;
-      load += change_of_load;
-      target = prescribed_values(model, constraints, load);
-      dead = dead_force(model, load);
+    Bordered system(solver);
+    VecX du;
+    double change_of_load = 0.0;
+    const auto take = [&](const Correction& c) {
+      du += c.displacement;
+      change_of_load += c.load;
+    };
+    if (factors != Factors::None) {
+      it.pivots = pivots_of_body(solver, assembler);
+      if (along_path) system.follow(state.progress, by_load);
+      du.setZero(u.size());
+      take(system.solve(rhs));
+      if (along_path) take(system.go_on(goal.stretch - state.progress.dot(u - state.displacement)));
     }
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     const bool finite = factors != Factors::None && du.allFinite();
@@ -327,10 +328,21 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       du = std::move(*held);
       parts_held = true;
     }
-    if (!along_path && in_place &&
-        !solve_contact(model, state.history, u, reach, chatter, active, assembler, solver, du) && chatter.halves()) {
-      du *= 0.5;
-      it.chatters = true;
+    if (in_place) {
+      const bool late = chatter.struggles() && active.hats_change();
+      if (const auto contact =
+              late ? settle_contact(model, state.history, u, du, reach, assembler, system) : std::nullopt) {
+        take(*contact);
+      } else if (chatter.halves()) {
+        du *= 0.5;
+        change_of_load *= 0.5;
+        it.chatters = true;
+      }
+    }
+    if (along_path) {
+      load += change_of_load;
+      target = prescribed_values(model, constraints, load);
+      dead = dead_force(model, load);
     }
     u += du;
     move_boundary(constraints, target, u, change);

@@ -11,8 +11,14 @@ namespace cleft::assembly {
 namespace {
 
 std::array<double, 8> entries(const Energies& e) {
-  return {e.external_work,       e.elastic,  e.contact, e.friction_dissipation, e.plastic_dissipation,
-          e.viscous_dissipation, e.released, e.contact_pressure_work};
+  return {e.external_work,
+          e.elastic,
+          e.contact,
+          e.friction_dissipation,
+          e.plastic_dissipation,
+          e.viscous_dissipation,
+          e.released,
+          e.contact_pressure_work};
 }
 
 }  // namespace

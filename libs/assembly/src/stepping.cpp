@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cleft/contact/history.hpp"
+#include "commit_contact.hpp"
 #include "flow.hpp"
 #include "lost_contact.hpp"
 #include "path.hpp"
@@ -209,11 +209,12 @@ std::optional<Failure> LoadStepper::refuse(const Increment& increment) const {
 // What ends the run: the failure of the last attempt and how small that was.
 Failure LoadStepper::given_up(Failure failure, double load, double size) const {
   const std::string place = failure.place.empty() ? "" : failure.place + ", ";
-  failure.place = place_.stretch > 0.0
-                      ? fmt::format("{}on the path from load {:.6g}, increments down to {:.1e} of the last", place,
-                                    state_.load, size)
-                      : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
-                                    state_.load, size);
+  failure.place =
+      place_.stretch > 0.0
+          ? fmt::format("{}on the path from load {:.6g} (largest: {:.6g}), increments down to {:.1e} of the longest",
+                        place, state_.load, place_.furthest, size * last_motion(model_, state_) / place_.longest)
+          : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
+                        state_.load, size);
   if (model_.has_memory() && controls_.control == Control::Load)
     failure.advice +=
         "; the body may be at a limit load: loading.control = \"path\" goes beyond it, material.viscosity "
@@ -265,11 +266,13 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 &&
                       flow <= 0.5 * controls_.max_flow;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
+    const Energies energies = state_.energies;
     std::optional<Step> out = commit_unless_jumped(increment, easy, known);
     if (!out) {
       iterations_before += static_cast<int>(increment.iterations.size());
       continue;
     }
+    out->jumped = has_jumped(energies, state_.energies);
     out->is_output = is_output;
     out->cuts = cuts;
     out->iterations_before = iterations_before;
@@ -337,45 +340,7 @@ Step LoadStepper::commit(const Increment& increment) {
   energies.plastic_dissipation += work.plastic;
   energies.viscous_dissipation += work.viscous;
   state_.history.plastic = assembler_.plastic();
-  energies.contact = 0.0;
-  contact::FacePositions faces_before;
-  contact::place_faces(model_.surfaces, state_.displacement, faces_before);
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    const auto index = static_cast<Index>(p);
-    const auto& s = pairs_[p].state;
-    if (model_.surfaces.is_mortar(model_.surfaces.faces[model_.surfaces.points[p].face].crack)) {
-      if (contact::presses(pairs_[p])) state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
-      state_.history.contact[p] =
-          contact::follow(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.history.contact[p]);
-      continue;
-    }
-    const auto step =
-        contact::advance(model_.surfaces, assembler_.face_positions(), index, pairs_[p], state_.history.contact[p]);
-    const auto& law = model_.surfaces.laws[model_.surfaces.faces[model_.surfaces.points[p].face].crack];
-    const double weight = model_.surfaces.points[p].weight;
-    if (contact::presses(pairs_[p])) {
-      energies.contact += 0.5 * weight * s.ramp *
-                          (s.traction.normal * s.traction.normal / law.normal_penalty +
-                           s.traction.tangential * s.traction.tangential / law.tangential_penalty);
-      state_.history.deepest = std::max(state_.history.deepest, -s.normal_gap);
-    }
-    energies.friction_dissipation += weight * step.friction;
-    if (contact::presses(pairs_[p]) && !pairs_[p].anchored)
-      energies.friction_dissipation +=
-          weight *
-          contact::touching_friction(model_.surfaces, faces_before, assembler_.face_positions(), index, pairs_[p]);
-    energies.contact_pressure_work += weight * step.pressure;
-    state_.history.contact[p] = step.memory;
-  }
-
-  if (!model_.surfaces.hats.empty()) {
-    auto& hats = state_.history.hats;
-    auto step = assembler_.multipliers().advance(model_.surfaces, assembler_.face_positions(), hats);
-    energies.contact += step.memory.stored;
-    energies.friction_dissipation += step.friction;
-    energies.contact_pressure_work += step.pressure;
-    hats = std::move(step.memory);
-  }
+  commit_contact(model_, assembler_, state_.displacement, pairs_, state_.history, energies);
 
   const VecX force = assembler_.internal_force() - dead_force(model_, load);
   VecX prescribed(constraints_.size());

@@ -138,6 +138,7 @@ void pass(Io& io, Checkpoint& c) {
   io(c.cuts);
   io(c.worst_residual);
   io(c.rounded);
+  io(c.jumps);
   io(c.seconds);
   std::vector<std::pair<std::string, std::uint64_t>> logs(c.log_bytes.begin(), c.log_bytes.end());
   pass(io, logs, [&](auto& entry) {

@@ -151,6 +151,16 @@ std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::Load
   return out;
 }
 
+std::vector<std::string> remarks_on_jumps(const Scene& scene, const Jumps& jumps) {
+  if (jumps.increments == 0) return {};
+  const bool along_path = scene.loading.control == assembly::Control::Path;
+  return {fmt::format(
+      "{} of the increments {} to another equilibrium, the first at load {:.6g}: energy is missing there "
+      "as where a body snaps through; {}",
+      jumps.increments, jumps.increments == 1 ? "has jumped" : "have jumped", jumps.load,
+      along_path ? "smaller increments (loading.steps)" : "loading.control = \"path\" follows what lies between")};
+}
+
 std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper) {
   Lines out;
   if (rounded.increments > 0)

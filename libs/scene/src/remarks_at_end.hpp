@@ -29,6 +29,9 @@ double worst_zone(std::vector<Pressed> along, double size);
 /// increment.
 std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
 
+/// On increments that have jumped to another branch of solutions.
+std::vector<std::string> remarks_on_jumps(const Scene& scene, const Jumps& jumps);
+
 /// On forces that rounding blurs: of some increments, or all of a body that bears next to nothing.
 std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper);
 

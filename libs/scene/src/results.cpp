@@ -160,7 +160,10 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
   if (scene_.loading.control == assembly::Control::Path) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     const auto pivots = step.iterations.empty() ? std::nullopt : std::optional(step.iterations.back().pivots);
-    row += fmt::format(",{},{}", !pivots ? kUnknown : pivots->negative_determinant ? -1.0 : 1.0,
+    row += fmt::format(",{},{}",
+                       !pivots                        ? kUnknown
+                       : pivots->negative_determinant ? -1.0
+                                                      : 1.0,
                        pivots ? pivots->least : kUnknown);
   }
   row += '\n';

@@ -14,6 +14,7 @@
 #include "cleft/scene/problem.hpp"
 #include "cleft/scene/solved_keys.hpp"
 #include "cleft/support/timer.hpp"
+#include "critical_points.hpp"
 #include "remarks_at_end.hpp"
 #include "results.hpp"
 #include "run_folder.hpp"
@@ -165,6 +166,8 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
                   {"energy", e.energy},
                   {"energy_relative", e.energy / e.energy_exact}};
   }
+  for (const auto& point : result.critical)
+    j["critical_points"].push_back({{"kind", name_of(point.kind)}, {"load", point.load}, {"step", point.step}});
   if (grows(scene)) j["growth"] = grown(evolution);
   j["remarks"] = notes;
   for (const auto& remark : result.remarks) j["remarks"].push_back(remark);
@@ -221,6 +224,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.cuts = kept.cuts;
   result.worst_residual = kept.worst_residual;
   result.rounded = kept.rounded;
+  result.jumps = kept.jumps;
   result.load = state().load;
   result.energies = state().energies;
   const double load_before = state().load;
@@ -242,12 +246,19 @@ RunResult run(const Scene& scene, const RunOptions& options) {
 
   const auto keep = [&] {
     const auto& stepper = evolution.stepper();
-    const Checkpoint now{solved_json(scene),  stepper.state(),
-                         stepper.place(),     stepper.assembler().room(),
-                         evolution.record(),  result.iterations,
-                         result.cuts,         result.worst_residual,
-                         result.rounded,      kept.seconds + clock.seconds(),
-                         results.log_bytes(), results.outputs()};
+    const Checkpoint now{solved_json(scene),
+                         stepper.state(),
+                         stepper.place(),
+                         stepper.assembler().room(),
+                         evolution.record(),
+                         result.iterations,
+                         result.cuts,
+                         result.worst_residual,
+                         result.rounded,
+                         result.jumps,
+                         kept.seconds + clock.seconds(),
+                         results.log_bytes(),
+                         results.outputs()};
     write_atomically(checkpoint_path, to_bytes(now));
   };
   if (!options.resume) keep();  // so that a later run knows the files of this one even if nothing converges
@@ -270,6 +281,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     result.cuts += step.cuts;
     result.worst_residual = std::max(result.worst_residual, step.left.residual);
     count(step, result.rounded);
+    if (step.jumped && result.jumps.increments++ == 0) result.jumps.load = step.load;
     auto residuals = step.iterations;
     residuals.push_back(step.left);
     if (const auto seen = assembly::convergence_order(residuals); seen && !seen->at_least)
@@ -298,7 +310,10 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const auto& surfaces = evolution.model().surfaces;
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
+  if (scene.loading.control == assembly::Control::Path)
+    result.critical = critical_points(read_csv(results.path("history.csv")));
   result.remarks = remarks_at_end(scene, evolution.stepper());
+  for (auto& remark : remarks_on_jumps(scene, result.jumps)) result.remarks.push_back(std::move(remark));
   for (auto& remark : remarks_on_rounding(result.rounded, evolution.stepper()))
     result.remarks.push_back(std::move(remark));
   for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));

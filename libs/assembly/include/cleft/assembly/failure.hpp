@@ -6,7 +6,17 @@
 
 namespace cleft::assembly {
 
-enum class FailureKind { NoConvergence, Inverted, Singular, NotFinite, Unloaded, Unloads, Plateau, ContactLost, Refused };
+enum class FailureKind {
+  NoConvergence,
+  Inverted,
+  Singular,
+  NotFinite,
+  Unloaded,
+  Unloads,
+  Plateau,
+  ContactLost,
+  Refused
+};
 
 /// Why an increment or a run failed, where, and what a user may try.
 struct Failure {

@@ -41,6 +41,7 @@ struct Step {
   std::vector<Iteration> iterations;
   Iteration left;        ///< residual after the last correction, with no correction of its own
   double rounded = 0.0;  ///< where rounding ended the iteration: what it left, over the largest force so far; else 0
+  bool jumped = false;   ///< to another branch of solutions, as the energies tell
 };
 
 /// Where the load no longer rises nor falls, and nothing but flow or sliding goes on.

@@ -20,6 +20,7 @@ struct Checkpoint {
   long iterations = 0, cuts = 0;
   double worst_residual = 0.0;
   Rounded rounded;
+  Jumps jumps;
   double seconds = 0.0;
   std::map<std::string, std::uint64_t> log_bytes;  ///< length of each growing file
   std::vector<PvdEntry> outputs;

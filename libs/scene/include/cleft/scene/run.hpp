@@ -32,6 +32,19 @@ struct Rounded {
   double load = 0.0;   ///< and where that was
 };
 
+/// Increments that have jumped from one branch of solutions to another.
+struct Jumps {
+  long increments = 0;
+  double load = 0.0;  ///< of the first
+};
+
+/// Where the path turns, or where another one branches off.
+struct CriticalPoint {
+  enum class Kind { Maximum, Minimum, Bifurcation } kind;
+  double load = 0.0;  ///< of limit points that of the increment nearest to it
+  long step = 0;      ///< row of history.csv; of a bifurcation the first beyond it
+};
+
 struct RunOptions {
   std::string directory;
   bool resume = false;
@@ -50,7 +63,9 @@ struct RunResult {
   long advances = 0;  ///< of all tips
   double worst_residual = 0.0;
   Rounded rounded;
-  double newton_order = 0.0;  ///< median over the increments that allow to tell; 0: none
+  Jumps jumps;
+  std::vector<CriticalPoint> critical;  ///< in order, of runs with loading.control = "path"
+  double newton_order = 0.0;            ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;
   double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements
   double seconds = 0.0;
