@@ -121,17 +121,31 @@ std::string remedy(const Model& model, int halved) {
                                           : all;
 }
 
-// How the right-hand side and the prescribed values follow the load.
-struct LoadRate {
-  VecX dead, prescribed;
+// What the load prescribes. Beyond load 1, where amplitudes end, both go on as they came there: iterates of a path may
+// pass it.
+struct Prescription {
+  VecX dead, displacement;
 };
 
-LoadRate load_rate(const Model& model, const std::vector<Constraint>& constraints, double load) {
-  constexpr double kStep = 1e-6;  // loads are piecewise smooth; only the iteration's direction depends on this
-  const double below = load - kStep, above = load + kStep;
-  return {
-      (dead_force(model, above) - dead_force(model, below)) / (above - below),
-      (prescribed_values(model, constraints, above) - prescribed_values(model, constraints, below)) / (above - below)};
+Prescription prescription_at(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  return {dead_force(model, load), prescribed_values(model, constraints, load)};
+}
+
+// By the load; loads are piecewise smooth, and only the iteration's direction depends on this.
+Prescription rate_of(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  constexpr double kStep = 1e-6;
+  const double above = std::min(load + kStep, 1.0), below = above - 2.0 * kStep;
+  const auto upper = prescription_at(model, constraints, above), lower = prescription_at(model, constraints, below);
+  return {(upper.dead - lower.dead) / (above - below), (upper.displacement - lower.displacement) / (above - below)};
+}
+
+Prescription prescription(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  if (load <= 1.0) return prescription_at(model, constraints, load);
+  auto out = prescription_at(model, constraints, 1.0);
+  const auto rate = rate_of(model, constraints, 1.0);
+  out.dead += (load - 1.0) * rate.dead;
+  out.displacement += (load - 1.0) * rate.displacement;
+  return out;
 }
 
 // Where flow goes on without resistance the matrix is singular, and a load that rises along the path with it: the least
@@ -191,14 +205,15 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   const bool along_path = goal.stretch > 0.0;
   double& load = out.load;
   load = along_path ? state.load + goal.stretch * (state.load - state.previous_load) : goal.load;
-  VecX target = prescribed_values(model, constraints, load);
-  VecX dead = dead_force(model, load);
+  auto [dead, target] = prescription(model, constraints, load);
   if (goal.held) dead += *goal.held;
   const double modulus = model.stiffness();
   VecX& u = out.displacement;
   u = state.displacement;
   if (along_path)
     u += goal.stretch * (state.displacement - state.previous_displacement);
+  else if (goal.guess)
+    u = *goal.guess;
   else if (controls.extrapolate)
     out.extrapolated = predict(state, constraints, target, load, u);
   VecX change(target.size());
@@ -284,9 +299,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     if (!it.kept) prescribe(constraints, change, modulus, assembler.matrix(), rhs);
     VecX by_load;
     if (along_path) {
-      const LoadRate rate = load_rate(model, constraints, load);
+      const Prescription rate = rate_of(model, constraints, load);
       by_load = rate.dead;
-      prescribe(constraints, rate.prescribed, modulus, assembler.matrix(), by_load);
+      prescribe(constraints, rate.displacement, modulus, assembler.matrix(), by_load);
     }
     if (!it.kept) eliminate(constraints, modulus, assembler.matrix());
     const auto& s = solver.seconds();
@@ -341,8 +356,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
     }
     if (along_path) {
       load += change_of_load;
-      target = prescribed_values(model, constraints, load);
-      dead = dead_force(model, load);
+      auto now = prescription(model, constraints, load);
+      dead = std::move(now.dead);
+      target = std::move(now.displacement);
     }
     u += du;
     move_boundary(constraints, target, u, change);

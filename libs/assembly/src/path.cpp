@@ -33,11 +33,10 @@ double last_motion(const Model& model, const State& state) {
   return farthest(model, state.displacement - state.previous_displacement);
 }
 
-bool has_jumped(const Energies& before, const Energies& after) {
-  // In increments that are merely long both are below 0.1 and 0.007, in jumps 0.3 and more.
-  constexpr double kOfChange = 0.05, kOfLargest = 2e-3;
+double unexplained_part(const Energies& before, const Energies& after) {
+  constexpr double kOfLargest = 2e-3;
   const double missed = std::fabs(after.imbalance() - before.imbalance());
-  return missed > kOfChange * after.change(before) && missed > kOfLargest * after.largest;
+  return before.largest > 0.0 && missed > kOfLargest * after.largest ? missed / after.change(before) : 0.0;
 }
 
 bool unloads_elastically(const State& before, const std::vector<constitutive::PlasticState>& plastic, double load,

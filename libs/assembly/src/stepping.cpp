@@ -20,6 +20,8 @@ constexpr double kCrumb = 1e-2;             // of the way to the next target: ho
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 constexpr double kShortest = 1.0 / 4096;    // along the path, of the longest increment so far
 constexpr double kJumpsNot = 1.0 / 64;      // the same: one so short is believed wherever it lands
+constexpr double kMayHaveJumped = 0.05;     // unexplained part of an increment that a shorter one replaces,
+constexpr double kHasJumped = 0.2;          // and one that is no question of its length
 constexpr double kLongest = 1e4;            // of the last increment, where that was short to end at a load to hit
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
 constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
@@ -86,8 +88,11 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
     Increment at_zero = solve({0.0}, observer);  // where the path gets there, and not by going back the way it came
     if (!at_zero.failure && state_.progress.dot(at_zero.displacement - state_.displacement) > 0.0) return at_zero;
   }
-  if (increment.failure || increment.load <= next_mark()) return increment;
-  return solve({next_mark()}, observer);
+  const double mark = next_mark();
+  if (increment.failure || increment.load <= mark) return increment;
+  const double part = (mark - state_.load) / (increment.load - state_.load);
+  const VecX guess = state_.displacement + part * (increment.displacement - state_.displacement);
+  return solve({.load = mark, .guess = &guess}, observer);
 }
 
 // From a kink the path leads no one knows where.
@@ -163,7 +168,7 @@ std::optional<Step> LoadStepper::commit_unless_jumped(const Increment& increment
     return along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
   const Committed before{state_, place_, pairs_};
   auto out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
-  if (!out || !has_jumped(before.state.energies, state_.energies)) return out;
+  if (!out || unexplained_part(before.state.energies, state_.energies) <= kMayHaveJumped) return out;
   go_back_to(before);
   (void)shorten(increment.load - state_.load, 0.0);
   return std::nullopt;
@@ -272,7 +277,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       iterations_before += static_cast<int>(increment.iterations.size());
       continue;
     }
-    out->jumped = has_jumped(energies, state_.energies);
+    out->jumped = unexplained_part(energies, state_.energies) > kHasJumped;
     out->is_output = is_output;
     out->cuts = cuts;
     out->iterations_before = iterations_before;

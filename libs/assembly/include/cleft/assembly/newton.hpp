@@ -39,7 +39,8 @@ struct Iteration {
 struct Goal {
   double load = 0.0;
   double stretch = 0.0;
-  const VecX* held = nullptr;  ///< forces besides the dead loads, N/m, per component of all unknowns
+  const VecX* held = nullptr;   ///< forces besides the dead loads, N/m, per component of all unknowns
+  const VecX* guess = nullptr;  ///< where to begin, of all unknowns, if not by extrapolation
 };
 
 /// The outcome of an increment. On success the assembler holds forces and contact pairs at `displacement`.
