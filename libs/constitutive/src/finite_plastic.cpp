@@ -138,7 +138,7 @@ ContinuumTangent FinitePlastic::continuum_tangent(const Mat2& deformation, const
   return {branch, with_geometric_part(rate, in_plane(tau))};
 }
 
-// theory (10.11)
+// theory (10.10)
 PlasticState FinitePlastic::mean(std::span<const WeightedState> states) {
   const auto same = [&](const WeightedState& other) { return other.state == states.front().state; };
   if (std::ranges::all_of(states, same)) return linear_mean(states);
