@@ -7,7 +7,7 @@ namespace {
 
 // A convex polygon, counter-clockwise. Each of three lines adds a corner, or, were rounding to make it wavy, half as
 // many again.
-struct Polygon {
+struct ConvexPolygon {
   std::array<Vec2, 9> corner;
   std::size_t count = 0;
 
@@ -20,11 +20,13 @@ struct Polygon {
   }
 };
 
-Polygon polygon(const std::array<Vec2, 3>& triangle) { return {{triangle[0], triangle[1], triangle[2]}, 3}; }
+ConvexPolygon convex_polygon(const std::array<Vec2, 3>& triangle) {
+  return {{triangle[0], triangle[1], triangle[2]}, 3};
+}
 
 // What lies left of the line from p to q (Sutherland and Hodgman 1974, Commun. ACM 17, 32-42).
-Polygon left_of(const Vec2& p, const Vec2& q, const Polygon& all) {
-  Polygon out;
+ConvexPolygon left_of(const Vec2& p, const Vec2& q, const ConvexPolygon& all) {
+  ConvexPolygon out;
   for (std::size_t k = 0; k < all.count; ++k) {
     const Vec2 &a = all.corner[k], &b = all.corner[(k + 1) % all.count];
     const double from = cross(q - p, a - p), to = cross(q - p, b - p);
@@ -37,8 +39,8 @@ Polygon left_of(const Vec2& p, const Vec2& q, const Polygon& all) {
 }  // namespace
 
 double common_area(const std::array<Vec2, 3>& a, const std::array<Vec2, 3>& b) {
-  if (!(polygon(b).area() > 0.0)) return 0.0;
-  Polygon common = polygon(a);
+  if (!(convex_polygon(b).area() > 0.0)) return 0.0;
+  ConvexPolygon common = convex_polygon(a);
   for (std::size_t k = 0; k < 3; ++k) common = left_of(b[k], b[(k + 1) % 3], common);
   return std::max(common.area(), 0.0);
 }
