@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "cleft/constitutive/logarithm.hpp"
@@ -68,6 +69,21 @@ void relax(PlasticState& state, const Mat2& F_inverse, const ElasticDeformation&
   state.deformation[3] += (1.0 + state.deformation[3]) * x.normal;
 }
 
+std::array<double, 4> components(const PlaneTensor& a) {
+  return {a.centre + a.radius[0], a.centre - a.radius[0], a.radius[1], a.normal};
+}
+
+// With (1/2) ln C_p^-1, the elastic strain at F = 1, for the plastic deformation; and back.
+PlasticState logarithm_of(PlasticState state) {
+  state.deformation = components(elastic_deformation(Mat2::Identity(), state).strain);
+  return state;
+}
+PlasticState exponential_of(PlasticState logarithm) {
+  const auto& a = logarithm.deformation;
+  logarithm.deformation = components(relaxation_of(plane_tensor(-a[0], -a[1], -a[2], -a[3])));
+  return logarithm;
+}
+
 // a_ijkl - tau_il delta_jk of theory (1.5)
 Mat4 with_geometric_part(Mat4 rate, const Mat2& tau) {
   for (int j = 0; j < 2; ++j)
@@ -120,6 +136,13 @@ ContinuumTangent FinitePlastic::continuum_tangent(const Mat2& deformation, const
   const Branch branch = branch_of(*this, tau, updated.accumulated);
   const Mat4 rate = stress_rate(continuum_moduli(*this, branch), unit_deviator(e.strain), e.shape);
   return {branch, with_geometric_part(rate, in_plane(tau))};
+}
+
+// theory (10.10)
+PlasticState FinitePlastic::mean(std::span<const WeightedState> states) {
+  const auto same = [&](const WeightedState& other) { return other.state == states.front().state; };
+  if (std::ranges::all_of(states, same)) return linear_mean(states);
+  return exponential_of(linear_mean(states, logarithm_of));
 }
 
 }  // namespace cleft::constitutive

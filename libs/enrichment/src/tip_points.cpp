@@ -47,6 +47,21 @@ std::vector<TipPoint> make_tip_points(const geometry::Mesh& mesh, const geometry
   return points;
 }
 
+std::vector<TipPart> tip_parts(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element) {
+  std::vector<QuadratureTriangle> triangles;
+  for (const Piece& piece : pieces_of(mesh, cut, element))
+    for (const Corners& part : piece.triangles)
+      divide(part, cut.tips[cut.tip_of_element[element]].frame.tip(), 0, triangles);
+  std::vector<TipPart> parts;
+  std::vector<QuadraturePoint> points;
+  for (const QuadratureTriangle& triangle : triangles) {
+    points.clear();
+    place_points(triangle, points);
+    parts.push_back({triangle.corners, static_cast<int>(points.size())});
+  }
+  return parts;
+}
+
 double blunting_at(const geometry::Mesh& mesh, const Unknowns& unknowns, const geometry::TipBall& ball) {
   return unknowns.blunting * std::sqrt(2.0 * geometry::triangle_area(mesh, ball.element));
 }

@@ -10,6 +10,7 @@ namespace cleft::enrichment {
 namespace {
 
 using Points = std::vector<QuadraturePoint>;
+using Triangles = std::vector<QuadratureTriangle>;
 
 // A triangle may be this much larger than its distance from the tip.
 constexpr double kLargest = 1.0;
@@ -68,14 +69,8 @@ constexpr std::array<GaussPoint, 5> kGauss{{{0.046910077030668, 0.11846344252809
 // theory (2.8). The tip is corner 0: x = tip + r [(1 - s) (a - tip) + s (b - tip)], dA = 2 Area r dr ds. With r = p^2
 // the integrand, r^(-1), r^(-1/2), 1 ... times r, is a polynomial of p. In s it is smooth where a-b is seen under no
 // large angle.
-void place_polar(const Corners& t, int depth, Points& points) {
+void place_polar(const Corners& t, Points& points) {
   const Vec2 &tip = t[0], &a = t[1], &b = t[2];
-  if ((b - a).norm() > kLargest * geometry::distance_to_segment(a, b, tip) && depth < kDeepest) {
-    const Vec2 middle = 0.5 * (a + b);
-    place_polar({tip, a, middle}, depth + 1, points);
-    place_polar({tip, middle, b}, depth + 1, points);
-    return;
-  }
   const double twice = twice_area(t);
   for (const auto& [p, wp] : kGauss) {
     for (const auto& [s, ws] : kGauss) {
@@ -85,7 +80,19 @@ void place_polar(const Corners& t, int depth, Points& points) {
   }
 }
 
-void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
+// Until the edge that faces the tip, corner 0, is seen under no large angle.
+void divide_polar(const Corners& t, int depth, Triangles& out) {
+  const Vec2 &tip = t[0], &a = t[1], &b = t[2];
+  if ((b - a).norm() > kLargest * geometry::distance_to_segment(a, b, tip) && depth < kDeepest) {
+    const Vec2 middle = 0.5 * (a + b);
+    divide_polar({tip, a, middle}, depth + 1, out);
+    divide_polar({tip, middle, b}, depth + 1, out);
+  } else {
+    out.push_back({t, Rule::Polar});
+  }
+}
+
+void divide_at_depth(int depth, const Corners& t, const Vec2& tip, Triangles& out) {
   const double size = size_of(t), negligible = kOnEdge * size * size;
   std::array<Corners, 3> fan;
   bool inside = true;
@@ -95,7 +102,7 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
   }
   if (inside) {
     for (const Corners& part : fan) {
-      if (twice_area(part) > negligible) place_polar(part, 0, points);
+      if (twice_area(part) > negligible) divide_polar(part, 0, out);
     }
     return;
   }
@@ -103,22 +110,39 @@ void place(const Corners& t, const Vec2& tip, int depth, Points& points) {
       std::min({geometry::distance_to_segment(t[0], t[1], tip), geometry::distance_to_segment(t[1], t[2], tip),
                 geometry::distance_to_segment(t[2], t[0], tip)});
   if (size <= kSmall * away) {
-    place_quadratic(t, points);
+    out.push_back({t, Rule::Quadratic});
   } else if (size <= kLargest * away || depth == kDeepest) {
-    place_smooth(t, points);
+    out.push_back({t, Rule::Smooth});
   } else {
-    for (const Corners& part : halves(t)) place(part, tip, depth + 1, points);
+    for (const Corners& part : halves(t)) divide_at_depth(depth + 1, part, tip, out);
   }
 }
 
 }  // namespace
 
-void place_points(const Corners& triangle, const Vec2& tip, int refinement, std::vector<QuadraturePoint>& points) {
+void divide(const Corners& triangle, const Vec2& tip, int refinement, Triangles& out) {
   if (refinement == 0) {
-    place(triangle, tip, 0, points);
+    divide_at_depth(0, triangle, tip, out);
   } else {
-    for (const Corners& part : quarters(triangle)) place_points(part, tip, refinement - 1, points);
+    for (const Corners& part : quarters(triangle)) divide(part, tip, refinement - 1, out);
   }
+}
+
+void place_points(const QuadratureTriangle& triangle, Points& points) {
+  switch (triangle.rule) {
+    case Rule::Quadratic:
+      return place_quadratic(triangle.corners, points);
+    case Rule::Smooth:
+      return place_smooth(triangle.corners, points);
+    case Rule::Polar:
+      return place_polar(triangle.corners, points);
+  }
+}
+
+void place_points(const Corners& triangle, const Vec2& tip, int refinement, Points& points) {
+  Triangles triangles;
+  divide(triangle, tip, refinement, triangles);
+  for (const QuadratureTriangle& part : triangles) place_points(part, points);
 }
 
 }  // namespace cleft::enrichment

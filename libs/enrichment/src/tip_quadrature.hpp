@@ -15,7 +15,21 @@ struct QuadraturePoint {
 
 using Corners = std::array<Vec2, 3>;  // counter-clockwise
 
-/// Appends points in a triangle for integrands that go with r^-1, r the distance from `tip`, which may lie anywhere.
+enum class Rule { Quadratic, Smooth, Polar };
+
+struct QuadratureTriangle {
+  Corners corners;  // Polar: the tip first
+  Rule rule;
+};
+
+/// Appends the triangles into which one is divided for integrands that go with r^-1, r the distance from `tip`, which
+/// may lie anywhere. With `refinement` it is first divided into 4^refinement.
+void divide(const Corners& triangle, const Vec2& tip, int refinement, std::vector<QuadratureTriangle>& out);
+
+/// Appends the points of one of them.
+void place_points(const QuadratureTriangle& triangle, std::vector<QuadraturePoint>& points);
+
+/// Appends the points of all of them, one after the other.
 void place_points(const Corners& triangle, const Vec2& tip, int refinement, std::vector<QuadraturePoint>& points);
 
 }  // namespace cleft::enrichment

@@ -50,6 +50,24 @@ TEST(TipPoints, EachSideHasItsAreaInEachTriangle) {
   }
 }
 
+TEST(TipPoints, FillTheirPartsOneAfterTheOther) {
+  for (const TipBody& body : test::tip_bodies(11)) {
+    auto point = body.plate.points.begin();
+    while (point != body.plate.points.end())
+      for (const auto& [corners, count] : tip_parts(body.plate.mesh, body.plate.cut, point->element)) {
+        const auto& [a, b, c] = corners;
+        const double area = 0.5 * cross(b - a, c - a);
+        double sum = 0.0;
+        for (int k = 0; k < count; ++k, ++point) {
+          const Vec2& X = point->reference;
+          EXPECT_GT(std::min({cross(b - a, X - a), cross(c - b, X - b), cross(a - c, X - c)}), 0.0) << body.name;
+          sum += point->weight;
+        }
+        EXPECT_NEAR(sum, area, 1e-14 * area) << body.name;
+      }
+  }
+}
+
 TEST(TipPoints, LieOnTheirSide) {
   for (const TipBody& body : test::tip_bodies(11))
     for (const TipPoint& p : body.plate.points) {

@@ -1,21 +1,40 @@
 #include "material_places.hpp"
 
+#include <algorithm>
+
 namespace cleft::growth {
 
-Vec2 place_of(const assembly::Model& model, Index point) {
-  const assembly::MaterialPoint at = assembly::material_point(model, point);
-  const auto cells = static_cast<Index>(model.cells.size());
-  if (point >= cells || model.cells[point].cut == kNone) return at.reference;
-  const auto& cell = model.cells[point];
-  const auto& parts = model.cut.elements[cell.cut].sub_triangles[static_cast<std::size_t>(cell.side)];
-  Vec2 moment = Vec2::Zero();
-  double area = 0.0;
-  for (const auto& [a, b, c] : parts) {
-    const double part = cross(b - a, c - a);
-    moment += part * (a + b + c) / 3.0;
-    area += part;
+namespace {
+
+std::vector<std::array<Vec2, 3>> triangles_of(const assembly::Model& model, const enrichment::Cell& cell) {
+  if (cell.cut == kNone) return {geometry::corners(model.mesh, cell.element)};
+  return model.cut.elements[cell.cut].sub_triangles[static_cast<std::size_t>(cell.side)];
+}
+
+}  // namespace
+
+std::vector<assembly::PointRange> points_by_triangle(const assembly::Model& model) {
+  std::vector<assembly::PointRange> out(model.mesh.triangles.size(), {0, 0});
+  assembly::for_each_material_point(model, [&](std::size_t p, const auto& point, double) {
+    auto& [first, last] = out[point.element];
+    if (last == 0) first = p;
+    last = p + 1;
+  });
+  return out;
+}
+
+std::vector<Part> parts_of(const assembly::Model& model, const assembly::PointRange& points) {
+  std::vector<Part> parts;
+  std::size_t p = points.first;
+  for (; p < std::min(points.last, model.cells.size()); ++p)
+    parts.push_back({triangles_of(model, model.cells[p]), {p, p + 1}});
+  if (p == points.last) return parts;
+  for (const auto& [corners, count] :
+       enrichment::tip_parts(model.mesh, model.cut, model.tip_points[p - model.cells.size()].element)) {
+    parts.push_back({{corners}, {p, p + count}});
+    p += count;
   }
-  return area > 0.0 ? Vec2(moment / area) : at.reference;
+  return parts;
 }
 
 double area_within(const geometry::Disc& disc, const assembly::Model& model, Index point) {
@@ -25,11 +44,8 @@ double area_within(const geometry::Disc& disc, const assembly::Model& model, Ind
     const auto& at = model.tip_points[point - cells];
     return at.weight * whole(at.element) / geometry::triangle_area(model.mesh, at.element);
   }
-  const auto& cell = model.cells[point];
-  if (cell.cut == kNone) return whole(cell.element);
   double area = 0.0;
-  for (const auto& part : model.cut.elements[cell.cut].sub_triangles[static_cast<std::size_t>(cell.side)])
-    area += geometry::area_within(disc, part);
+  for (const auto& part : triangles_of(model, model.cells[point])) area += geometry::area_within(disc, part);
   return area;
 }
 

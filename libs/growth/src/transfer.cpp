@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "material_places.hpp"
 #include "old_faces.hpp"
+#include "old_flow.hpp"
 #include "old_hats.hpp"
 
 namespace cleft::growth {
@@ -49,28 +49,6 @@ VecX prescribed_force_on(const Model& from, const VecX& force, const Model& to) 
     const Index unknown = now[k].component / 2, node = to.unknowns.node_of[unknown];
     const Index source = unknown < to.unknowns.nodes ? unknown : from.unknowns.ghost[node];
     if (source != kNone) out[static_cast<Index>(k)] = full[2 * source + now[k].component % 2];
-  }
-  return out;
-}
-
-std::vector<constitutive::PlasticState> plastic_on(const Model& from,
-                                                   const std::vector<constitutive::PlasticState>& plastic,
-                                                   const Model& to) {
-  if (plastic.empty()) return {};
-  std::vector<std::vector<Index>> of_element(from.mesh.triangles.size());
-  for (Index p = 0; p < static_cast<Index>(from.material_points()); ++p)
-    of_element[assembly::material_point(from, p).element].push_back(p);
-  std::vector<constitutive::PlasticState> out(to.material_points());
-  for (Index p = 0; p < static_cast<Index>(out.size()); ++p) {
-    const auto here = assembly::material_point(to, p);
-    const Vec2 place = place_of(to, p);
-    const auto farther = [&](Index old) {  // the wrong side first, then the distance
-      const auto there = assembly::material_point(from, old);
-      return std::pair(here.side && there.side && *here.side != *there.side, (place_of(from, old) - place).norm());
-    };
-    const auto& candidates = of_element[here.element];
-    if (candidates.empty()) continue;  // a triangle all of whose parts were negligible
-    out[p] = plastic[*std::ranges::min_element(candidates, {}, farther)];
   }
   return out;
 }

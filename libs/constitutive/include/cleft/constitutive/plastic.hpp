@@ -53,10 +53,17 @@ struct FinitePlastic : DruckerPrager {
 
   /// Tangent of continued flow at F and the state at rest there, for the analysis of localisation.
   ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
+
+  /// What one point remembers that takes the place of several: the means of ln C^p^-1 and of what has accumulated. So
+  /// ln det C^p^-1 is the mean, too, and flow at constant volume stays that; the mean of C^p^-1 itself would swell
+  /// (diag(4, 1/4) and diag(1/4, 4) to the determinant 4.5). What all have in common is the mean to the last bit. Needs
+  /// C^p^-1 positive definite, as it always is.
+  static PlasticState mean(std::span<const WeightedState> states);
 };
 
 /// Small strain, eps = sym(H) of the displacement gradient H. History is the plastic strain; `piola` is the Cauchy
-/// stress, and its tangent has both minor symmetries. The members are those of FinitePlastic.
+/// stress, and its tangent has both minor symmetries. The members are those of FinitePlastic; the mean is that of the
+/// plastic strain.
 struct SmallPlastic : DruckerPrager {
   Response respond(const Mat2& gradient, const PlasticState& committed, PlasticState& updated,
                    double duration = kForever) const;
@@ -64,6 +71,7 @@ struct SmallPlastic : DruckerPrager {
   PlasticWork dissipation(const Mat2& gradient, const PlasticState& committed, double duration = kForever) const;
   double out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const;
   ContinuumTangent continuum_tangent(const Mat2& gradient, const PlasticState& updated) const;
+  static PlasticState mean(std::span<const WeightedState> states) { return linear_mean(states); }
 };
 
 }  // namespace cleft::constitutive

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <concepts>
+#include <functional>
+#include <span>
 
 #include "cleft/constitutive/response.hpp"
 
@@ -21,7 +23,31 @@ struct PlasticState {
   /// norm), that is sqrt(3/2) times the equivalent plastic strain of J2 plasticity; on the apex of a cone it is the
   /// volumetric plastic strain divided by the dilatancy.
   double accumulated = 0.0;
+
+  bool operator==(const PlasticState&) const = default;
 };
+
+/// A history and how much it counts for in a mean: the area that has it, positive.
+struct WeightedState {
+  double weight = 0.0;
+  PlasticState state;
+};
+
+/// Mean of every entry of what `measure` makes of the histories; where that is one for all, it to the last bit. At rest
+/// if there are none.
+template <class Measure = std::identity>
+PlasticState linear_mean(std::span<const WeightedState> states, const Measure& measure = {}) {
+  PlasticState mean;
+  double sum = 0.0;
+  for (const WeightedState& next : states) {
+    const PlasticState measured = measure(next.state);
+    const double part = next.weight / (sum += next.weight);
+    const auto draw = [part](double& entry, double to) { entry += part * (to - entry); };
+    for (std::size_t k = 0; k < mean.deformation.size(); ++k) draw(mean.deformation[k], measured.deformation[k]);
+    draw(mean.accumulated, measured.accumulated);
+  }
+  return mean;
+}
 
 /// A law whose answer depends on the past: it reads the state at the begin of the step and writes the one at its end.
 template <class Law>

@@ -58,6 +58,14 @@ struct Piece {
 /// How a triangle in a ball is divided.
 std::vector<Piece> pieces_of(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element);
 
+/// What the points of a triangle in a ball stand for: each of these for as many of them as it says, one after the other
+/// in the order of make_tip_points without refinement; the weights of these add up to its area.
+struct TipPart {
+  std::array<Vec2, 3> corners;  ///< counter-clockwise, metres
+  int points = 0;
+};
+std::vector<TipPart> tip_parts(const geometry::Mesh& mesh, const geometry::CutMesh& cut, Index element);
+
 /// The blunting of a tip's functions, metres.
 double blunting_at(const geometry::Mesh& mesh, const Unknowns& unknowns, const geometry::TipBall& ball);
 

@@ -11,8 +11,12 @@ namespace cleft::growth {
 ///
 /// - A node keeps its displacement and, where it had one, its ghost; a new ghost starts with the node's own
 ///   displacement, so that new faces are closed. Branch functions of a tip that has moved start at zero.
-/// - Material points take the history of the nearest one of the same triangle, and of the same side where both know
-///   theirs: the two sides of a triangle that was whole take its own.
+/// - Where a triangle is cut anew each of its parts takes the mean plastic history over the areas that it has in common
+///   with the old ones, theory (10.10): each triangle keeps its integral of what has accumulated and, at small strain,
+///   of the plastic strain, to rounding (parts that the cutter neglects, kLeastSupport, apart). At finite strain the
+///   mean is that of ln C^p^-1 (FinitePlastic::mean). Points in the ball of a tip are spread over the triangle of the
+///   quadrature that they stand for. Triangles whose parts stay, and both sides of one that was whole, keep their
+///   history to the last bit. The mean may lie beyond yield, which the balance after it mends.
 /// - Contact points on old faces keep their memory and their anchors, by crack, side and arc length; those on new faces
 ///   are anchored at the point opposite and free of stress.
 /// - Nothing is known of the increment before.

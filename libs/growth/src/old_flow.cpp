@@ -1,0 +1,79 @@
+#include "old_flow.hpp"
+
+#include <algorithm>
+
+#include "cleft/geometry/common_area.hpp"
+#include "material_places.hpp"
+
+namespace cleft::growth {
+namespace {
+
+using assembly::Model;
+using constitutive::PlasticState;
+using Plastic = std::vector<PlasticState>;
+using Shares = std::vector<constitutive::WeightedState>;
+
+double common_area(const Part& a, const Part& b) {
+  double area = 0.0;
+  for (const auto& one : a.triangles)
+    for (const auto& other : b.triangles) area += geometry::common_area(one, other);
+  return area;
+}
+
+bool are_same(const std::vector<Part>& some, const std::vector<Part>& others) {
+  return std::ranges::equal(some, others, [](const Part& a, const Part& b) {
+    return a.triangles == b.triangles && a.points.last - a.points.first == b.points.last - b.points.first;
+  });
+}
+
+double area_of(const Model& model, const Part& part) {
+  double area = 0.0;
+  assembly::for_each_material_point(model, part.points, [&](std::size_t, const auto&, double own) { area += own; });
+  return area;
+}
+
+// Of each old part the area that it has in common with a new one, spread over its points like their weights.
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
+  Shares out;
+  for (const Part& part : parts) {
+    const double common = common_area(part, now);
+    if (!(common > 0.0)) continue;
+    const double scale = common / area_of(model, part);
+    assembly::for_each_material_point(model, part.points, [&](std::size_t p, const auto&, double own) {
+      out.push_back({scale * own, plastic[p]});
+    });
+  }
+  return out;
+}
+
+PlasticState mean(const assembly::Material& material, const Shares& shares) {
+  return std::visit(
+      [&]<class Law>(const Law&) -> PlasticState {
+        if constexpr (constitutive::PathDependent<Law>) return Law::mean(shares);
+        return {};
+      },
+      material);
+}
+
+}  // namespace
+
+Plastic plastic_on(const Model& from, const Plastic& plastic, const Model& to) {
+  if (plastic.empty()) return {};
+  Plastic out(to.material_points());
+  const auto points_before = points_by_triangle(from), points_now = points_by_triangle(to);
+  for (std::size_t t = 0; t < points_now.size(); ++t) {
+    const auto before = parts_of(from, points_before[t]), now = parts_of(to, points_now[t]);
+    if (are_same(before, now)) {
+      std::copy_n(plastic.begin() + points_before[t].first, points_now[t].last - points_now[t].first,
+                  out.begin() + points_now[t].first);
+      continue;
+    }
+    for (const Part& part : now) {
+      const PlasticState state = mean(to.material(part.points.first), shares(from, plastic, before, part));
+      std::fill(out.begin() + part.points.first, out.begin() + part.points.last, state);
+    }
+  }
+  return out;
+}
+
+}  // namespace cleft::growth
