@@ -42,12 +42,11 @@ void print_critical(const std::vector<scene::CriticalPoint>& points) {
   constexpr std::size_t kMost = 6;
   std::vector<std::string> limits, bifurcations;
   for (const auto& p : points)
-    (p.kind == Kind::Bifurcation ? bifurcations : limits)
-        .push_back(fmt::format("{:.5g} ({}step {})", p.load,
-                               p.kind == Kind::Maximum   ? "maximum, "
-                               : p.kind == Kind::Minimum ? "minimum, "
-                                                         : "",
-                               p.step));
+    if (p.kind == Kind::Bifurcation)
+      bifurcations.push_back(fmt::format("between {:.5g} and {:.5g} (step {})", p.before, p.load, p.step));
+    else
+      limits.push_back(
+          fmt::format("{:.5g} ({}, step {})", p.load, p.kind == Kind::Maximum ? "maximum" : "minimum", p.step));
   const auto told = [](std::vector<std::string> list) {
     const std::size_t more = list.size() > kMost ? list.size() - kMost : 0;
     list.resize(list.size() - more);

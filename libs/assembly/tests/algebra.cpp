@@ -77,6 +77,23 @@ TEST(LinearSolver, AnIndefiniteSymmetricMatrixIsStillSolved) {
   EXPECT_EQ(solver.seconds().second_opinions, 0);
 }
 
+// Two negative eigenvalues or one, by MUMPS' factors of either kind and, where a pivot is tiny, by those of UMFPACK.
+TEST(LinearSolver, TellsTheSignOfTheDeterminantAndTheLeastPivot) {
+  for (const bool symmetric : {false, true})
+    for (const double least : {1e-3, 1e-13})
+      for (const bool negative : {false, true}) {
+        BlockMatrix m(2, {{0, 0}, {1, 1}});
+        m.add(m.find(0, 0), (Mat2() << -4.0, 1.0, 1.0, -2.0).finished());
+        m.add(m.find(1, 1), (Mat2() << 8.0, 0.0, 0.0, negative ? -least : least).finished());
+        LinearSolver solver(symmetric ? Factorisation::Symmetric : Factorisation::Unsymmetric);
+        solver.new_pattern(1);
+        ASSERT_NE(solver.factorise(m), Factors::None);
+        EXPECT_EQ(solver.seconds().second_opinions, least < 1e-12 ? 1 : 0);
+        EXPECT_EQ(solver.pivots().negative_determinant, negative);
+        EXPECT_NEAR(solver.pivots().least / (least / 8.0), 1.0, 0.2);
+      }
+}
+
 TEST(LinearSolver, ASingularMatrixIsReported) {
   const BlockMatrix zero(3, {});
   for (const auto kind : {Factorisation::Unsymmetric, Factorisation::Symmetric}) {

@@ -153,6 +153,40 @@ TEST(Path, CoordinateIsThatOfTheLastIncrement) {
   }
 }
 
+// Rounding leaves no direction where nothing moves: the path keeps the one before, and its end comes.
+TEST(Path, EndsOnAPlateauWithTheLoadThatStaysAndTheMotionThatGoesOn) {
+  Model model = bar();
+  const constitutive::DruckerPrager j2 = constitutive::von_mises(constitutive::lame(kBarYoung, kPoisson), 100.0);
+  model.materials = {constitutive::SmallPlastic{j2}};
+  LoadStepper stepper(model, along_path(200));
+  std::variant<Step, Failure> outcome;
+  while (std::holds_alternative<Step>(outcome = stepper.advance())) ASSERT_LT(std::get<Step>(outcome).number, 100);
+  EXPECT_EQ(std::get<Failure>(outcome).kind, FailureKind::Plateau);
+  const double limit = 200.0 / std::sqrt(3.0) / kTraction;
+  EXPECT_NEAR(stepper.state().load, limit, 1e-6);
+  EXPECT_GE(stepper.place().plateau.travelled, stepper.place().plateau.extent);
+  EXPECT_NEAR(stepper.place().plateau.load, limit, 1e-4 * limit);
+  EXPECT_EQ(std::get<Failure>(stepper.advance()).kind, FailureKind::Plateau) << "and stays ended";
+}
+
+// An iterate beyond load 1 asks the loads how they would go on.
+TEST(Path, ReachesLoadOneFromAFlatPath) {
+  Model model = bar(2.0);
+  model.materials = {constitutive::Hencky{constitutive::lame(kBarYoung * 1.27458, kPoisson)}};  // limit load 1.0003
+  StepControls controls = along_path(10);
+  controls.newton.max_iterations = 5;
+  LoadStepper stepper(model, controls);
+  bool by_path = false;
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
+    by_path = by_path || stepper.place().stretch > 0.0;
+    ASSERT_LT(std::get<Step>(outcome).number, 60);
+  }
+  EXPECT_TRUE(by_path);
+  EXPECT_EQ(stepper.state().load, 1.0);
+}
+
 // Snap-back: both the load and the displacement at the boundary fall, and rise again.
 TEST(Path, FollowsAYieldingBlockBackAndHitsItsOutputs) {
   Model model = models::block(32, contact::NegativeSide::Left);

@@ -9,9 +9,11 @@ namespace {
 using Kind = CriticalPoint::Kind;
 
 struct Course {
-  std::vector<double> step, load, sign, pivot;
+  std::vector<double> step, load, sign;
   std::size_t size() const { return load.size(); }
-  CriticalPoint point(Kind kind, std::size_t row, double at) const { return {kind, at, std::lround(step[row])}; }
+  CriticalPoint point(Kind kind, std::size_t before, std::size_t row) const {
+    return {kind, load[row], load[before], std::lround(step[row])};
+  }
 };
 
 // Rows from which the load goes the other way. What changes it by less than 1e-6 of the largest is no way.
@@ -38,24 +40,18 @@ bool is_near(const std::vector<std::size_t>& turns, std::size_t row) {
   return std::ranges::any_of(turns, [&](std::size_t turn) { return row + 1 >= turn && row <= turn + 2; });
 }
 
-double vanishes(const Course& c, std::size_t before, std::size_t row) {
-  return c.load[before] + (c.load[row] - c.load[before]) * c.pivot[before] / (c.pivot[before] + c.pivot[row]);
-}
-
 }  // namespace
 
 std::vector<CriticalPoint> critical_points(const CsvTable& history) {
-  const Course c{history.column("step"), history.column("load"), history.column("determinant_sign"),
-                 history.column("least_pivot")};
+  const Course c{history.column("step"), history.column("load"), history.column("determinant_sign")};
   const auto limits = turns(c);
   std::vector<CriticalPoint> out;
   for (std::size_t k = 0; k < limits.size(); ++k)
-    out.push_back(c.point(k % 2 == 0 ? Kind::Maximum : Kind::Minimum, limits[k], c.load[limits[k]]));
+    out.push_back(c.point(k % 2 == 0 ? Kind::Maximum : Kind::Minimum, limits[k] > 0 ? limits[k] - 1 : 0, limits[k]));
   std::size_t known = 0;
   for (std::size_t k = 1; k < c.size(); ++k) {
     if (std::isnan(c.sign[k])) continue;
-    if (c.sign[known] * c.sign[k] < 0.0 && !is_near(limits, k))
-      out.push_back(c.point(Kind::Bifurcation, k, vanishes(c, known, k)));
+    if (c.sign[known] * c.sign[k] < 0.0 && !is_near(limits, k)) out.push_back(c.point(Kind::Bifurcation, known, k));
     known = k;
   }
   std::ranges::stable_sort(out, {}, &CriticalPoint::step);

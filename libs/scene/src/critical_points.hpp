@@ -8,9 +8,8 @@
 
 namespace cleft::scene {
 
-/// Where the load turns, and where the determinant of the tangent matrix changes its sign though the load goes on: the
-/// load there is where the least pivot, linear between two rows, vanishes. `history` has the columns `step`, `load`,
-/// `determinant_sign` and `least_pivot`; rows whose sign is unknown are passed over.
+/// Where the load turns, and where the determinant of the tangent matrix changes its sign though the load goes on.
+/// `history` has the columns `step`, `load` and `determinant_sign`; rows whose sign is unknown are passed over.
 std::vector<CriticalPoint> critical_points(const CsvTable& history);
 
 const char* name_of(CriticalPoint::Kind kind);

@@ -167,7 +167,8 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
                   {"energy_relative", e.energy / e.energy_exact}};
   }
   for (const auto& point : result.critical)
-    j["critical_points"].push_back({{"kind", name_of(point.kind)}, {"load", point.load}, {"step", point.step}});
+    j["critical_points"].push_back(
+        {{"kind", name_of(point.kind)}, {"before", point.before}, {"load", point.load}, {"step", point.step}});
   if (grows(scene)) j["growth"] = grown(evolution);
   j["remarks"] = notes;
   for (const auto& remark : result.remarks) j["remarks"].push_back(remark);

@@ -41,8 +41,9 @@ struct Jumps {
 /// Where the path turns, or where another one branches off.
 struct CriticalPoint {
   enum class Kind { Maximum, Minimum, Bifurcation } kind;
-  double load = 0.0;  ///< of limit points that of the increment nearest to it
-  long step = 0;      ///< row of history.csv; of a bifurcation the first beyond it
+  double load = 0.0;    ///< of the increment nearest to a limit point, or of the first beyond a bifurcation
+  double before = 0.0;  ///< of the one before that
+  long step = 0;        ///< its row of history.csv
 };
 
 struct RunOptions {

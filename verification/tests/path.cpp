@@ -1,0 +1,204 @@
+// The path of equilibria past limit points and bifurcations, and where it ends.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "comparison.hpp"
+#include "hard.hpp"
+
+namespace cleft::verification {
+namespace {
+
+using scene::RunResult;
+using Kind = scene::CriticalPoint::Kind;
+using Overrides = std::vector<std::string>;
+
+// A scene run into a folder that vanishes with the object.
+struct Ran {
+  RunResult result;
+  std::vector<double> load;
+};
+
+std::string scratch(const std::string& name) {
+  const std::string folder = testing::TempDir() + fmt::format("cleft_path_{}_{}", getpid(), name);
+  std::filesystem::remove_all(folder);
+  return folder;
+}
+
+Ran run(const scene::Scene& scene) {
+  const std::string folder = scratch("run");
+  scene::RunOptions options;
+  options.directory = folder;
+  Ran out{scene::run(scene, options), {}};
+  out.load = scene::read_csv(folder + "/history.csv").column("load");
+  std::filesystem::remove_all(folder);
+  return out;
+}
+
+// --- snap-through -----------------------------------------------------------------------------------------------
+
+const std::string kJoint =
+    "crack.joint={points=[[0.73,0.285],[1.27,0.185]], friction=0.3, contact={method=\"mortar\"}}";
+
+struct Roof {
+  const char* name;
+  double limit;  // largest load before the roof snaps
+  Overrides overrides;
+};
+void PrintTo(const Roof& roof, std::ostream* out) { *out << roof.name; }
+
+class Snap : public testing::TestWithParam<Roof> {};
+
+// However many increments: none may jump to the far branch.
+TEST_P(Snap, FollowsTheFallingBranchWhateverTheNumberOfIncrements) {
+  const Roof& roof = GetParam();
+  Case table(fmt::format("snapping roof, {}", roof.name));
+  for (const int steps : {25, 50, 100, 150, 200, 300, 400}) {
+    auto overrides = roof.overrides;
+    overrides.push_back(fmt::format("loading.steps={}", steps));
+    const Ran ran = run(hard_scene("roof", overrides));
+    ASSERT_EQ(ran.result.end, RunResult::End::Done);
+    const auto& critical = ran.result.critical;
+    ASSERT_EQ(critical.size(), 2u) << steps;
+    EXPECT_EQ(critical[0].kind, Kind::Maximum);
+    EXPECT_EQ(critical[1].kind, Kind::Minimum);
+    const auto top = ran.load.begin() + critical[0].step - 1, foot = ran.load.begin() + critical[1].step - 1;
+    EXPECT_TRUE(std::is_sorted(top, foot + 1, std::greater<>())) << "the branch between falls";
+    EXPECT_GE(foot - top, steps / 4) << "in increments of about the planned length";
+    table.compare(fmt::format("limit load, {} increments", steps), critical[0].load, prototype(roof.limit),
+                  within(0.005 * roof.limit, "the increments' size"));
+    table.compare("energy unaccounted for", ran.result.energies.relative_imbalance(), exact(0),
+                  within(0.01, "trapezoidal sums"));
+    EXPECT_EQ(ran.result.jumps.increments, 0);
+  }
+}
+// The limits are those of 1600 increments.
+INSTANTIATE_TEST_SUITE_P(Roofs, Snap,
+                         testing::Values(Roof{"elastic", 0.5677, {}}, Roof{"cracked", 0.5520, {kJoint}},
+                                         Roof{"plastic", 0.4383, {"material.model=j2", "material.yield_stress=1.2e5"}},
+                                         Roof{"cracked and plastic",
+                                              0.4842,
+                                              {kJoint, "material.model=drucker-prager", "material.cohesion=1e5",
+                                               "material.friction=0.3", "material.dilatancy=0.1",
+                                               "material.hardening=1e5"}}));
+
+// By load control the roof jumps, and the run says so.
+TEST(Snap, UnderLoadControlIsAJumpThatTheRunTells) {
+  const Ran ran = run(hard_scene("roof", {"loading.control=load", "loading.steps=150"}));
+  EXPECT_EQ(ran.result.jumps.increments, 1);
+  EXPECT_NEAR(ran.result.jumps.load, 0.5733, 1e-4);
+  const auto tells = [](const std::string& remark) {
+    return remark.find("loading.control = \"path\"") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(ran.result.remarks, tells));
+}
+
+// The faces of the crack stick and slip on the way; a run that is stopped anywhere goes on to the same files.
+TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
+  const auto scene = hard_scene("roof", {kJoint, "loading.steps=25"});
+  const std::string whole = scratch("whole"), parts = scratch("parts");
+  scene::RunOptions options;
+  options.directory = whole;
+  const auto result = scene::run(scene, options);
+  ASSERT_EQ(result.end, RunResult::End::Done);
+  const auto history = scene::read_csv(whole + "/history.csv");
+  const auto touching = history.column("contact_points"), slipping = history.column("slipping_points");
+  bool stuck = false, slipped = false;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    stuck = stuck || touching[k] > slipping[k];
+    slipped = slipped || slipping[k] > 0.0;
+  }
+  EXPECT_TRUE(stuck && slipped);
+
+  // on the way up, at the limit, on the falling branch, at its foot, on the way up again
+  const long top = result.critical[0].step, foot = result.critical[1].step;
+  std::atomic<bool> stop = false;
+  options.directory = parts;
+  options.stop = &stop;
+  for (const long at : {top / 2, top, (top + foot) / 2, foot, foot + 5, 100000L}) {
+    stop = false;
+    options.observer = [&](const scene::Progress& p) { stop = p.iteration == 0 && p.increment >= at; };
+    (void)scene::run(scene, options);
+    options.resume = true;
+  }
+  for (const char* file : {"history.csv", "crack_joint.csv", "fields.pvd"})
+    EXPECT_EQ(scene::read_bytes(parts + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+  std::filesystem::remove_all(whole);
+  std::filesystem::remove_all(parts);
+}
+
+// --- plateaus ---------------------------------------------------------------------------------------------------
+
+// sigma_yy at which a block of cohesion alpha, friction beta and dilatancy b flows in plane strain with a free side. In
+// the flow e_33 = 0, so that s_33 = -b |s|/3; sigma_xx = 0 leaves one unknown, x = s_xx/|s|.
+double uniaxial_strength(double alpha, double beta, double b) {
+  const double x = 0.5 * (b / 3.0 + std::sqrt(2.0 - b * b / 3.0));
+  return (2.0 * x - b / 3.0) * alpha / (1.0 - beta * x);
+}
+
+struct Collapse {
+  const char* name;
+  double limit;
+  Overrides overrides;
+};
+void PrintTo(const Collapse& collapse, std::ostream* out) { *out << collapse.name; }
+
+class Plateau : public testing::TestWithParam<Collapse> {};
+
+TEST_P(Plateau, EndsTheRunSoonAtTheLoadThatTheBodyBears) {
+  const Collapse& c = GetParam();
+  const Ran ran = run(hard_scene("plateau", c.overrides));
+  ASSERT_EQ(ran.result.end, RunResult::End::Failed);
+  EXPECT_EQ(ran.result.failure.kind, assembly::FailureKind::Plateau) << assembly::describe(ran.result.failure);
+  EXPECT_NE(ran.result.failure.place.find(fmt::format("no load above {:.4g}", c.limit)), std::string::npos)
+      << ran.result.failure.place;
+  EXPECT_LE(ran.result.increments, 200);
+  Case table(fmt::format("plateau, {}", c.name));
+  table.compare("largest load", std::ranges::max(ran.load), exact(c.limit), within(1e-3 * c.limit, "as asked"));
+}
+
+const double kCone = uniaxial_strength(100.0, 0.5, 0.2) / 600.0,
+             kAssociated = uniaxial_strength(100.0, 0.5, 0.5) / 600.0, kJ2 = 100.0 * 2.0 / std::sqrt(3.0) / 600.0;
+const Overrides kOfJ2{"material.model=j2", "material.yield_stress=100"};
+Overrides j2_with(const std::string& more) {
+  auto out = kOfJ2;
+  out.push_back(more);
+  return out;
+}
+INSTANTIATE_TEST_SUITE_P(
+    Blocks, Plateau,
+    testing::Values(Collapse{"cone", kCone, {}}, Collapse{"one cell", kCone, {"mesh.cells=[1,1]"}},
+                    Collapse{"alternating", kCone, {"mesh.diagonal=alternating"}},
+                    Collapse{"Delaunay", kCone, {"mesh={kind=\"delaunay\", box=[0,0,1,1], size=0.3}"}},
+                    Collapse{"3 increments", kCone, {"loading.steps=3"}},
+                    Collapse{"500 increments", kCone, {"loading.steps=500"}},
+                    Collapse{"associated", kAssociated, {"material.dilatancy=0.5"}}, Collapse{"J2", kJ2, kOfJ2},
+                    Collapse{"J2, one cell", kJ2, j2_with("mesh.cells=[1,1]")},
+                    Collapse{"J2, alternating", kJ2, j2_with("mesh.diagonal=alternating")},
+                    Collapse{"J2, patches", kJ2, j2_with("formulation.f_bar=true")},
+                    Collapse{"J2, pulled", kJ2, j2_with("traction=[{on=\"top\", value=[0,600]}]")},
+                    Collapse{"in kilometres", kCone, {"mesh.box=[0,0,1e-3,1e-3]"}}));
+
+// --- bifurcations -----------------------------------------------------------------------------------------------
+
+TEST(Bifurcation, IsToldWhereAStraightColumnWouldBuckle) {
+  const auto scene = hard_scene("buckling", {"loading.steps=200"});
+  const Ran ran = run(scene);
+  ASSERT_EQ(ran.result.end, RunResult::End::Done);
+  ASSERT_EQ(ran.result.critical.size(), 1u);
+  EXPECT_EQ(ran.result.critical[0].kind, Kind::Bifurcation);
+  const double stiffness = 1e7 / (1.0 - 0.09) * 1e-3 / 12.0, force = 5e4 * 0.1;
+  const double euler = std::numbers::pi * std::numbers::pi * stiffness / 4.0 / force;
+  Case table("straight column under a dead load");
+  table.compare("load of the bifurcation", ran.result.critical[0].before, exact(euler),
+                within(0.03 * euler, "triangles are stiff in bending"));
+  EXPECT_LT(ran.result.critical[0].load - ran.result.critical[0].before, 0.006);
+}
+
+}  // namespace
+}  // namespace cleft::verification
