@@ -99,8 +99,15 @@ std::vector<Fault> faults() {
        "the path of equilibrium leads back to load 0",
        ", from load [-+.0-9e]+; try ",
        "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"},
+      {"PlateauOfTheLoad",
+       "plateau",
+       {},
+       "plateau: the body flows or slides on and bears no more",
+       ", no load above [.0-9]+; try ",
+       "hardening, or prescribed displacements instead of the loads, to see where the motion leads"},
       {"NoShorterStepOfThePath", "block", plastic({"loading.control=\"path\""}), "the iteration did not converge",
-       ".*, on the path from load [-.0-9e]+, increments down to [-.0-9e]+ of the last; try ",
+       ".*, on the path from load [-.0-9e]+ \\(largest: [-.0-9e]+\\), increments down to [-.0-9e]+ of the longest; "
+       "try ",
        kSofter + " at the crack"},
   };
 }

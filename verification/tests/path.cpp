@@ -43,7 +43,11 @@ Ran run(const scene::Scene& scene) {
 // --- snap-through -----------------------------------------------------------------------------------------------
 
 const std::string kJoint =
-    "crack.joint={points=[[0.73,0.285],[1.27,0.185]], friction=0.3, contact={method=\"mortar\"}}";
+    "crack=[{name=\"joint\", points=[[0.73,0.285],[1.27,0.185]], friction=0.3, contact={method=\"mortar\"}}]";
+const std::string kJ2OfRoof = "material={model=\"j2\", young=1e7, poisson=0.3, yield_stress=1.2e5}";
+const std::string kConeOfRoof =
+    "material={model=\"drucker-prager\", young=1e7, poisson=0.3, cohesion=1e5, friction=0.3, dilatancy=0.1, "
+    "hardening=1e5}";
 
 struct Roof {
   const char* name;
@@ -80,12 +84,8 @@ TEST_P(Snap, FollowsTheFallingBranchWhateverTheNumberOfIncrements) {
 // The limits are those of 1600 increments.
 INSTANTIATE_TEST_SUITE_P(Roofs, Snap,
                          testing::Values(Roof{"elastic", 0.5677, {}}, Roof{"cracked", 0.5520, {kJoint}},
-                                         Roof{"plastic", 0.4383, {"material.model=j2", "material.yield_stress=1.2e5"}},
-                                         Roof{"cracked and plastic",
-                                              0.4842,
-                                              {kJoint, "material.model=drucker-prager", "material.cohesion=1e5",
-                                               "material.friction=0.3", "material.dilatancy=0.1",
-                                               "material.hardening=1e5"}}));
+                                         Roof{"plastic", 0.4383, {kJ2OfRoof}},
+                                         Roof{"cracked and plastic", 0.4843, {kJoint, kConeOfRoof}}));
 
 // By load control the roof jumps, and the run says so.
 TEST(Snap, UnderLoadControlIsAJumpThatTheRunTells) {
@@ -155,8 +155,7 @@ TEST_P(Plateau, EndsTheRunSoonAtTheLoadThatTheBodyBears) {
   const Ran ran = run(hard_scene("plateau", c.overrides));
   ASSERT_EQ(ran.result.end, RunResult::End::Failed);
   EXPECT_EQ(ran.result.failure.kind, assembly::FailureKind::Plateau) << assembly::describe(ran.result.failure);
-  EXPECT_NE(ran.result.failure.place.find(fmt::format("no load above {:.4g}", c.limit)), std::string::npos)
-      << ran.result.failure.place;
+  EXPECT_EQ(ran.result.failure.place, fmt::format("no load above {:.6g}", std::ranges::max(ran.load)));
   EXPECT_LE(ran.result.increments, 200);
   Case table(fmt::format("plateau, {}", c.name));
   table.compare("largest load", std::ranges::max(ran.load), exact(c.limit), within(1e-3 * c.limit, "as asked"));
@@ -164,7 +163,7 @@ TEST_P(Plateau, EndsTheRunSoonAtTheLoadThatTheBodyBears) {
 
 const double kCone = uniaxial_strength(100.0, 0.5, 0.2) / 600.0,
              kAssociated = uniaxial_strength(100.0, 0.5, 0.5) / 600.0, kJ2 = 100.0 * 2.0 / std::sqrt(3.0) / 600.0;
-const Overrides kOfJ2{"material.model=j2", "material.yield_stress=100"};
+const Overrides kOfJ2{"material={model=\"j2\", young=1e4, poisson=0.25, yield_stress=100}"};
 Overrides j2_with(const std::string& more) {
   auto out = kOfJ2;
   out.push_back(more);
@@ -187,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
 // --- bifurcations -----------------------------------------------------------------------------------------------
 
 TEST(Bifurcation, IsToldWhereAStraightColumnWouldBuckle) {
-  const auto scene = hard_scene("buckling", {"loading.steps=200"});
+  const auto scene = hard_scene("buckling", {"mesh.cells=[16,160]", "loading.steps=100"});
   const Ran ran = run(scene);
   ASSERT_EQ(ran.result.end, RunResult::End::Done);
   ASSERT_EQ(ran.result.critical.size(), 1u);
@@ -197,7 +196,7 @@ TEST(Bifurcation, IsToldWhereAStraightColumnWouldBuckle) {
   Case table("straight column under a dead load");
   table.compare("load of the bifurcation", ran.result.critical[0].before, exact(euler),
                 within(0.03 * euler, "triangles are stiff in bending"));
-  EXPECT_LT(ran.result.critical[0].load - ran.result.critical[0].before, 0.006);
+  EXPECT_LT(ran.result.critical[0].load - ran.result.critical[0].before, 0.011);
 }
 
 }  // namespace

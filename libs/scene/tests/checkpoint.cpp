@@ -15,7 +15,9 @@ Checkpoint example() {
   c.state.history.plastic = {{{1e-3, -2e-3, 3e-4, 1e-4}, 0.02}, {}};
   c.state.prescribed_force = VecX::Ones(4);
   c.state.energies.elastic = 5.0;
-  c.place = {7, 0.01};
+  c.place.number = 7;
+  c.place.step = 0.01;
+  c.place.plateau = {0.5, 2.0, 1.0};
   c.room = {{1, 2, 3}, {}, {4}};
   c.iterations = 21;
   c.log_bytes = {{"history.csv", 1234}, {"newton.csv", 99}};
