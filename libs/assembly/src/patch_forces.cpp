@@ -61,14 +61,16 @@ void add_geometric_part(const Motions& motions, const DeformedPatch& deformed,
     work[i] = stress.dot(column(deformed.deformation[i]));
     const Eigen::Matrix<double, 8, 8> mixed = (m.gradient.transpose() * stress) * m.share;
     out.matrix += mixed + mixed.transpose();
-    out.matrix += work[i] * (m.share.transpose() * m.share + 0.5 * m.volume.transpose() * m.volume);
+    out.matrix.noalias() += (work[i] * m.share.transpose()) * m.share;
+    out.matrix.noalias() += (0.5 * work[i] * m.volume.transpose()) * m.volume;
   }
   const double whole = work[0] + work[1];
-  out.matrix -= 0.5 * whole * motions.volume.transpose() * motions.volume;
+  out.matrix.noalias() -= (0.5 * whole * motions.volume.transpose()) * motions.volume;
   for (int i = 0; i < 2; ++i) {
     const Mat48& gradient = motions.of[i].gradient;
     const double factor = 0.5 * (whole * motions.part[i] - work[i]) / deformed.J[i];
-    out.matrix += factor * gradient.transpose() * (constitutive::cofactor_map() * gradient);
+    const Mat48 cofactors = factor * constitutive::cofactor_map() * gradient;
+    out.matrix.noalias() += gradient.transpose().lazyProduct(cofactors);
   }
 }
 
@@ -84,11 +86,12 @@ PatchForces patch_forces(const Model& model, const Patch& patch, const DeformedP
   for (int i = 0; i < 2; ++i) {
     const Motion& m = motions.of[i];
     out.force += m.weight * (m.strained.transpose() * column(response.piola[i]));
-    out.matrix += m.strained.transpose() * (m.weight * response.tangent[i] * m.strained);
+    const Mat48 stress = m.weight * response.tangent[i] * m.strained;
+    out.matrix.noalias() += m.strained.transpose().lazyProduct(stress);  // Eigen takes these for large
     by_pressure += m.weight * (m.strained.transpose() * column(response.by_pressure[i]));
     pressure_rate += column(response.pressure_rate[i]).transpose() * m.strained;
   }
-  out.matrix += by_pressure * pressure_rate;
+  out.matrix.noalias() += by_pressure * pressure_rate;
   if (!small_strain) add_geometric_part(motions, deformed, response, out);
   return out;
 }
