@@ -51,27 +51,37 @@ Motions motions_of(const Model& model, const Patch& patch, const DeformedPatch& 
   return out;
 }
 
+// The second derivative of the determinant of one cell's F: between the components of two of its nodes the area that
+// their gradients span.
+void add_cofactors(const enrichment::Cell& cell, const std::array<int, 3>& position, double factor, PatchForces& out) {
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, row = 2 * position[k], column = 2 * position[l];
+    const double spanned = factor * cross(cell.gradient[k], cell.gradient[l]);
+    out.matrix(row, column + 1) += spanned;
+    out.matrix(row + 1, column) -= spanned;
+    out.matrix(column + 1, row) += spanned;
+    out.matrix(column, row + 1) -= spanned;
+  }
+}
+
 // theory (1.9): stresses times the second derivatives of Fbar.
-void add_geometric_part(const Motions& motions, const DeformedPatch& deformed,
+void add_geometric_part(const Model& model, const Patch& patch, const Motions& motions, const DeformedPatch& deformed,
                         const constitutive::PatchResponse& response, PatchForces& out) {
   OfPatch<double> work;  // V t
   for (int i = 0; i < 2; ++i) {
     const Motion& m = motions.of[i];
     const Vec4 stress = m.weight * m.stretch * column(response.piola[i]);
     work[i] = stress.dot(column(deformed.deformation[i]));
-    const Eigen::Matrix<double, 8, 8> mixed = (m.gradient.transpose() * stress) * m.share;
-    out.matrix += mixed + mixed.transpose();
-    out.matrix.noalias() += (work[i] * m.share.transpose()) * m.share;
+    const Row8 mixed = stress.transpose() * m.gradient + 0.5 * work[i] * m.share;
+    out.matrix.noalias() += mixed.transpose() * m.share;
+    out.matrix.noalias() += m.share.transpose() * mixed;
     out.matrix.noalias() += (0.5 * work[i] * m.volume.transpose()) * m.volume;
   }
   const double whole = work[0] + work[1];
   out.matrix.noalias() -= (0.5 * whole * motions.volume.transpose()) * motions.volume;
-  for (int i = 0; i < 2; ++i) {
-    const Mat48& gradient = motions.of[i].gradient;
-    const double factor = 0.5 * (whole * motions.part[i] - work[i]) / deformed.J[i];
-    const Mat48 cofactors = factor * constitutive::cofactor_map() * gradient;
-    out.matrix.noalias() += gradient.transpose().lazyProduct(cofactors);
-  }
+  for (int i = 0; i < 2; ++i)
+    add_cofactors(model.cells[patch.cell[i]], patch.position[i],
+                  0.5 * (whole * motions.part[i] - work[i]) / deformed.J[i], out);
 }
 
 }  // namespace
@@ -92,7 +102,7 @@ PatchForces patch_forces(const Model& model, const Patch& patch, const DeformedP
     pressure_rate += column(response.pressure_rate[i]).transpose() * m.strained;
   }
   out.matrix.noalias() += by_pressure * pressure_rate;
-  if (!small_strain) add_geometric_part(motions, deformed, response, out);
+  if (!small_strain) add_geometric_part(model, patch, motions, deformed, response, out);
   return out;
 }
 
