@@ -97,14 +97,14 @@ Solved footing(const Cone& cone, int across, const std::string& diagonal) {
 
 TEST(DilatantFlow, CarriesPrandtlsLoadUnderAFooting) {
   Case table("strip footing on Drucker-Prager, associated");
-  for (const std::string diagonal : {"right", "alternating"}) {
+  for (const std::string diagonal : {"right", "left", "alternating"}) {
     double last = 1.0;
     for (const int across : {32, 64}) {
       const Solved run = footing(cone_of(kPhi, kPhi, kCohesion), across, diagonal);
       const double load = bearing_capacity(run, across), error = std::fabs(load / prandtl(kPhi) - 1.0);
       table.compare(fmt::format("load over c B, {} diagonals, h/B = 1/{}", diagonal, across / 8), load,
                     exact(prandtl(kPhi)), within_part(0.04, "the edge of the footing"));
-      EXPECT_LT(error, 0.5 * last);
+      EXPECT_LT(error, 0.75 * last);
       EXPECT_LE(fall(run, "fy_footing"), 1e-6);
       EXPECT_LT(unaccounted(run), 0.005);
       last = error;
@@ -117,13 +117,14 @@ TEST(DilatantFlow, CarriesPrandtlsLoadUnderAFooting) {
 TEST(DilatantFlow, ThatIsNotAssociatedCarriesLessUnderAFooting) {
   const double psi = 0.25 * kPhi, reduced = std::cos(psi) / (1.0 - std::sin(psi) * std::sin(kPhi));
   const double davis = prandtl(std::atan(reduced * std::sin(kPhi))) * reduced * std::cos(kPhi);
-  for (const std::string diagonal : {"right", "alternating"}) {
+  for (const std::string diagonal : {"right", "left", "alternating"}) {
     const Solved run = footing(cone_of(kPhi, psi, kCohesion), 64, diagonal);
     const double load = bearing_capacity(run, 64);
-    fmt::print("{:12} load over c B {:.3f}, Davis {:.3f}, associated {:.3f}\n", diagonal, load, davis, prandtl(kPhi));
+    fmt::print("{:12} load over c B {:.3f}, Davis {:.3f}, associated {:.3f}, falls by {:.1e}\n", diagonal, load, davis,
+               prandtl(kPhi), fall(run, "fy_footing"));
     EXPECT_LT(load, 1.03 * prandtl(kPhi));
     EXPECT_GT(load, davis);
-    EXPECT_LE(fall(run, "fy_footing"), 1e-3);
+    EXPECT_LE(fall(run, "fy_footing"), 1e-6);
   }
 }
 
