@@ -16,7 +16,7 @@ namespace {
 using Overrides = std::vector<std::string>;
 
 // Largest fall of |column| from what it was before, over its largest value.
-double fall(const Solved& run, const std::string& column) {
+double largest_fall(const Solved& run, const std::string& column) {
   double most = 0.0, out = 0.0;
   for (const double force : run.history.column(column)) {
     most = std::max(most, std::fabs(force));
@@ -25,7 +25,7 @@ double fall(const Solved& run, const std::string& column) {
   return out / most;
 }
 
-double unaccounted(const Solved& run) {
+double missing_energy(const Solved& run) {
   const auto& e = run.result.energies;
   return e.relative_imbalance();
 }
@@ -45,7 +45,7 @@ Cone cone_of(double phi, double psi, double c) {
   const double beta = root * s / (r + root * s * b / 6.0);
   return {beta, b, c * std::cos(phi) * root * (1.0 - beta * b / 6.0) / r};
 }
-Overrides material(const Cone& cone) {
+Overrides keys_of(const Cone& cone) {
   return {fmt::format("material.friction={:.15g}", cone.friction),
           fmt::format("material.dilatancy={:.15g}", cone.dilatancy),
           fmt::format("material.cohesion={:.15g}", cone.cohesion)};
@@ -55,8 +55,8 @@ constexpr double kDegree = std::numbers::pi / 180.0, kPhi = 20.0 * kDegree, kCoh
 
 void expect_sound(const std::string& what, const Overrides& overrides) {
   const Solved run = solve("squeezed", overrides);
-  EXPECT_LE(fall(run, "fy_top"), 1e-6) << what;
-  EXPECT_LT(unaccounted(run), 0.005) << what;
+  EXPECT_LE(largest_fall(run, "fy_top"), 1e-6) << what;
+  EXPECT_LT(missing_energy(run), 0.005) << what;
 }
 
 TEST(DilatantFlow, NeverLosesForceAndMakesNoEnergy) {
@@ -83,13 +83,13 @@ double bearing_capacity(const Solved& run, int across) {
   return -run.at("fy_footing", 1.0) / (kCohesion * (1.0 + 4.0 / across));
 }
 
-double prandtl(double phi) {
+double bearing_of_prandtl(double phi) {
   const double passive = std::pow(std::tan(std::numbers::pi / 4.0 + 0.5 * phi), 2.0);
   return (std::exp(std::numbers::pi * std::tan(phi)) * passive - 1.0) / std::tan(phi);
 }
 
-Solved footing(const Cone& cone, int across, const std::string& diagonal) {
-  Overrides overrides = material(cone);
+Solved solve_footing(const Cone& cone, int across, const std::string& diagonal) {
+  Overrides overrides = keys_of(cone);
   overrides.push_back(fmt::format("mesh.cells=[{},{}]", across, across / 2));
   overrides.push_back(fmt::format("mesh.diagonal='{}'", diagonal));
   return solve("footing", overrides);
@@ -100,13 +100,13 @@ TEST(DilatantFlow, CarriesPrandtlsLoadUnderAFooting) {
   for (const std::string diagonal : {"right", "left", "alternating"}) {
     double last = 1.0;
     for (const int across : {32, 64}) {
-      const Solved run = footing(cone_of(kPhi, kPhi, kCohesion), across, diagonal);
-      const double load = bearing_capacity(run, across), error = std::fabs(load / prandtl(kPhi) - 1.0);
+      const Solved run = solve_footing(cone_of(kPhi, kPhi, kCohesion), across, diagonal);
+      const double load = bearing_capacity(run, across), error = std::fabs(load / bearing_of_prandtl(kPhi) - 1.0);
       table.compare(fmt::format("load over c B, {} diagonals, h/B = 1/{}", diagonal, across / 8), load,
-                    exact(prandtl(kPhi)), within_part(0.04, "the edge of the footing"));
+                    exact(bearing_of_prandtl(kPhi)), within_part(0.04, "the edge of the footing"));
       EXPECT_LT(error, 0.75 * last);
-      EXPECT_LE(fall(run, "fy_footing"), 1e-6);
-      EXPECT_LT(unaccounted(run), 0.005);
+      EXPECT_LE(largest_fall(run, "fy_footing"), 1e-6);
+      EXPECT_LT(missing_energy(run), 0.005);
       last = error;
     }
   }
@@ -116,15 +116,15 @@ TEST(DilatantFlow, CarriesPrandtlsLoadUnderAFooting) {
 // what associated flow does of the strengths that Davis (1968) reduced.
 TEST(DilatantFlow, ThatIsNotAssociatedCarriesLessUnderAFooting) {
   const double psi = 0.25 * kPhi, reduced = std::cos(psi) / (1.0 - std::sin(psi) * std::sin(kPhi));
-  const double davis = prandtl(std::atan(reduced * std::sin(kPhi))) * reduced * std::cos(kPhi);
+  const double davis = bearing_of_prandtl(std::atan(reduced * std::sin(kPhi))) * reduced * std::cos(kPhi);
   for (const std::string diagonal : {"right", "left", "alternating"}) {
-    const Solved run = footing(cone_of(kPhi, psi, kCohesion), 64, diagonal);
+    const Solved run = solve_footing(cone_of(kPhi, psi, kCohesion), 64, diagonal);
     const double load = bearing_capacity(run, 64);
     fmt::print("{:12} load over c B {:.3f}, Davis {:.3f}, associated {:.3f}, falls by {:.1e}\n", diagonal, load, davis,
-               prandtl(kPhi), fall(run, "fy_footing"));
-    EXPECT_LT(load, 1.03 * prandtl(kPhi));
+               bearing_of_prandtl(kPhi), largest_fall(run, "fy_footing"));
+    EXPECT_LT(load, 1.03 * bearing_of_prandtl(kPhi));
     EXPECT_GT(load, davis);
-    EXPECT_LE(fall(run, "fy_footing"), 1e-6);
+    EXPECT_LE(largest_fall(run, "fy_footing"), 1e-6);
   }
 }
 
@@ -148,7 +148,7 @@ double pressure_of_ring(const Cone& cone) {
 }
 
 // The work of the increments is pressure times the volume that the inner face sweeps.
-std::vector<double> pressures(const Solved& run) {
+std::vector<double> pressures_in_ring(const Solved& run) {
   constexpr double kMoves = 0.02;
   const double area = 8.0 * std::sin(std::numbers::pi / 32.0);  // of the quarter of the polygon within
   const auto work = run.history.column("external_work"), load = run.history.column("load");
@@ -162,7 +162,7 @@ TEST(DilatantFlow, HoldsThePressureOfAThickRing) {
   Case table("thick ring under pressure, Drucker-Prager");
   for (const double dilatancy : {0.4, 0.1}) {
     const Cone cone{0.4, dilatancy, 300.0};
-    const auto pressure = pressures(solve("ring", material(cone)));
+    const auto pressure = pressures_in_ring(solve("ring", keys_of(cone)));
     const double exactly = pressure_of_ring(cone);
     for (const std::size_t k : {pressure.size() / 2, pressure.size() - 1})
       table.compare(fmt::format("pressure, friction 0.4, dilatancy {}, increment {}", dilatancy, k + 1), pressure[k],
@@ -197,9 +197,9 @@ TEST(DilatantFlow, OfTheBlockHardlyDependsOnTheDiagonals) {
     for (const std::string diagonal : {"right", "left", "alternating"}) {
       const Solved run = solve(scene, {fmt::format("mesh.diagonal='{}'", diagonal), "formulation.f_bar=true"});
       force.push_back(run.at("fy_top", 0.5));
-      EXPECT_LT(unaccounted(run), 0.005) << scene << ' ' << diagonal;
+      EXPECT_LT(missing_energy(run), 0.005) << scene << ' ' << diagonal;
       fmt::print("{} {:12} at half {:.0f}, at full load {:.0f}, unaccounted {:.2g}\n", scene, diagonal,
-                 run.at("fy_top", 0.5), run.at("fy_top", 1.0), unaccounted(run));
+                 run.at("fy_top", 0.5), run.at("fy_top", 1.0), missing_energy(run));
     }
     const auto [low, high] = std::ranges::minmax(force);
     EXPECT_LT(std::fabs(high - low), 0.015 * std::fabs(high)) << scene;

@@ -14,24 +14,24 @@ struct Candidate {
 };
 
 // The edge from corner k of a cell.
-struct Side {
+struct CellEdge {
   Edge edge;
   Index cell;
   int corner;
 };
 
-std::vector<Side> sides_of(const Model& model) {
-  std::vector<Side> out;
+std::vector<CellEdge> sides_of(const Model& model) {
+  std::vector<CellEdge> out;
   for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
     for (int k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(model.cells[c].unknown[k], model.cells[c].unknown[(k + 1) % 3]);
       out.push_back({{low, high}, c, k});
     }
-  std::ranges::stable_sort(out, {}, &Side::edge);
+  std::ranges::stable_sort(out, {}, &CellEdge::edge);
   return out;
 }
 
-std::array<double, 3> rank_of(const Model& model, const Side& side) {
+std::array<double, 3> rank_of(const Model& model, const CellEdge& side) {
   const auto& node = model.mesh.triangles[model.cells[side.cell].element];
   const Vec2 &start = model.mesh.nodes[node[side.corner]], &end = model.mesh.nodes[node[(side.corner + 1) % 3]];
   const Vec2 middle = 0.5 * (start + end);
@@ -43,7 +43,7 @@ std::vector<Candidate> candidates_of(const Model& model) {
   std::vector<Candidate> out;
   const auto sides = sides_of(model);
   for (auto side = sides.begin(); side != sides.end();) {
-    const auto next = std::find_if(side, sides.end(), [&](const Side& other) { return other.edge != side->edge; });
+    const auto next = std::find_if(side, sides.end(), [&](const CellEdge& other) { return other.edge != side->edge; });
     if (next - side == 2 && &model.material(side->cell) == &model.material(side[1].cell))
       out.push_back({rank_of(model, *side), {side->cell, side[1].cell}});
     side = next;

@@ -14,19 +14,19 @@ namespace {
 
 template <class Law>
 class Patch : public testing::Test {};
-using Laws = testing::Types<FinitePlastic, SmallPlastic>;
-TYPED_TEST_SUITE(Patch, Laws);
+using PatchLaws = testing::Types<FinitePlastic, SmallPlastic>;
+TYPED_TEST_SUITE(Patch, PatchLaws);
 
-struct Case {
+struct PatchCase {
   OfPatch<Mat2> F;
   PatchPast past;
 };
 
 // Pairs of the steps of a single point.
 template <class Law>
-std::vector<Case> cases(const Law& law) {
+std::vector<PatchCase> cases(const Law& law) {
   const auto steps = test::steps(law, 11);
-  std::vector<Case> out;
+  std::vector<PatchCase> out;
   for (const std::size_t apart : {2, 100})  // alike, and any two
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const auto &a = steps[k], &b = steps[(k + apart) % steps.size()];
