@@ -78,6 +78,21 @@ TEST(DilatantFlow, NeverLosesForceAndMakesNoEnergy) {
   }
 }
 
+TEST(DilatantFlow, OfTheMirroredMeshIsMirrored) {
+  for (const char* kinematics : {"small", "finite"}) {
+    const Overrides common{"mesh.cells=[5,4]", fmt::format("formulation.kinematics='{}'", kinematics)};
+    const auto force = [&](const char* diagonal) {
+      Overrides overrides = common;
+      overrides.push_back(fmt::format("mesh.diagonal='{}'", diagonal));
+      return solve("squeezed", overrides);
+    };
+    const Solved right = force("right"), left = force("left");
+    const double fy = right.at("fy_top", 1.0);
+    EXPECT_NEAR(left.at("fy_top", 1.0), fy, 1e-7 * std::fabs(fy));
+    EXPECT_NEAR(left.at("fx_top", 1.0), -right.at("fx_top", 1.0), 1e-7 * std::fabs(fy));
+  }
+}
+
 // The displacement falls to zero over one element beside the footing, which acts as if half of that belonged to it.
 double bearing_capacity(const Solved& run, int across) {
   return -run.at("fy_footing", 1.0) / (kCohesion * (1.0 + 4.0 / across));

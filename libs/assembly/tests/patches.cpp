@@ -173,5 +173,33 @@ TEST(Patches, OfAHomogeneousDeformationChangeNothing) {
     EXPECT_LE((material_deformation(m, c, u) - Mat2::Identity() - A).norm(), 1e-13);
 }
 
+// Of a deformation that is turned, the forces turn.
+TEST(Patches, DoNotSeeHowTheBodyIsTurned) {
+  const auto lame = constitutive::lame(1e10, 0.25);
+  for (const Material& material :
+       {Material(constitutive::Hencky{lame}), Material(constitutive::FinitePlastic{{lame, 1e7, 0.4, 0.3, 0.0}})}) {
+    Model m;
+    m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {3, 4}, geometry::Diagonal::Right);
+    models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
+    m.materials = {material};
+    m.mate = pair_cells(m);
+    Mat2 R;
+    R << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
+    VecX u(m.unknowns.components()), turned(u.size());
+    for (Index k = 0; k < m.unknowns.count; ++k) {
+      const Vec2& X = m.mesh.nodes[m.unknowns.node_of[k]];
+      u.segment<2>(2 * k) = Vec2(0.02 * std::sin(7.0 * X.x() + X.y()), 0.03 * std::sin(5.0 * X.y() - X.x()));
+      turned.segment<2>(2 * k) = R * (X + u.segment<2>(2 * k)) - X;
+    }
+    Assembler assembler(m);
+    ASSERT_FALSE(assembler.assemble(u, state_at_rest(m).history));
+    const VecX force = assembler.internal_force();
+    ASSERT_FALSE(assembler.assemble(turned, state_at_rest(m).history));
+    for (Index k = 0; k < m.unknowns.count; ++k)
+      EXPECT_LE((assembler.internal_force().segment<2>(2 * k) - R * force.segment<2>(2 * k)).norm(),
+                1e-10 * force.cwiseAbs().maxCoeff());
+  }
+}
+
 }  // namespace
 }  // namespace cleft::assembly
