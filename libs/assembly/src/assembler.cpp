@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "advice.hpp"
-#include "cleft/assembly/patches.hpp"
 #include "cleft/support/timer.hpp"
 #include "contact_points.hpp"
+#include "patch_forces.hpp"
 #include "places.hpp"
 
 namespace cleft::assembly {
@@ -35,7 +35,8 @@ AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
   return *this;
 }
 
-Assembler::Assembler(const Model& model) : model_(model), room_(model.surfaces.faces.size()) {
+Assembler::Assembler(const Model& model)
+    : model_(model), patches_(patches_of(model)), room_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
     History rest{contact::memory_at_rest(model.surfaces)};
     if (!model.surfaces.hats.empty()) rest.hats = contact::hats_at_rest(model.surfaces);
@@ -59,8 +60,7 @@ void Assembler::build_pattern() {
       for (const Index j : columns) blocks.push_back({i, j});
   };
   for (const auto& cell : model_.cells) couple(cell.unknown, cell.unknown);
-  for (std::size_t c = 0; c < model_.mate.size(); ++c)
-    if (model_.mate[c] != kNone) couple(model_.cells[c].unknown, model_.cells[model_.mate[c]].unknown);
+  for (const auto& patch : patches_) couple(patch.unknown, patch.unknown);
   for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
     const auto& unknown = model_.tip_points[p].unknown;
     if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
@@ -106,6 +106,7 @@ void Assembler::build_pattern() {
         }
   };
   place(model_.cells, places_);
+  place(patches_, patch_places_);
   place(model_.tip_points, tip_places_);
   opposite_.assign(hats.strips.size(), {});
   ++version_;
@@ -210,49 +211,57 @@ bool Assembler::add_point(const Law& law, const VecX& displacement, const Histor
   return true;
 }
 
-// theory (1.7): with P = Pbar/stretch, dP = A : dF + q/2 (d ln J_P - F^-T : dF), q = A : F - Pbar/stretch (small
-// strain: A : 1): a cell's own tangent less its share of the change of volume, and a term of rank one over both cells
-// of the patch.
+// Laws without memory share their pressure by the volume alone.
 template <class Law>
-bool Assembler::add_patched(const Law& law, const VecX& displacement, const History& history, Index number) {
-  using Vec4 = Eigen::Vector4d;
-  const auto &cell = model_.cells[number], &other = model_.cells[model_.mate[number]];
-  const PatchedCell patch = patched(model_, number, displacement);
-  constexpr bool kSmall = constitutive::kIsSmallStrain<Law>;
-  if (!kSmall && !(det(patch.deformation) > 0.0)) return false;
-  const constitutive::Response bar = respond(law, patch.strained, history, static_cast<std::size_t>(number));
-  const Mat2 piola = bar.piola / patch.stretch;
-  const Mat2 along = kSmall ? Mat2(Mat2::Identity()) : patch.deformation;
-  Vec4 q = 0.5 * (bar.tangent * Eigen::Map<const Vec4>(along.data()));
-  if (!kSmall) q -= 0.5 * Eigen::Map<const Vec4>(piola.data());
-  const Mat4 own = bar.tangent - q * Eigen::Map<const Vec4>(patch.by_own.data()).transpose();
-  for (int k = 0; k < 3; ++k) {
-    const Vec2& g = cell.gradient[k];
-    force_.segment<2>(2 * cell.unknown[k]) += cell.area * (piola * g);
-    if (matrix_is_final_) continue;
-    const Vec2 pull = cell.area * (g(0) * q.head<2>() + g(1) * q.tail<2>());
-    for (int l = 0; l < 3; ++l) {
-      const Eigen::Matrix<double, 4, 2> d =
-          cell.area * (cell.gradient[l](0) * own.leftCols<2>() + cell.gradient[l](1) * own.rightCols<2>());
-      const Vec2 swells = patch.share * (patch.by_own * cell.gradient[l]);
-      matrix_.add({places_[number].start[k][l], places_[number].stride[l]},
-                  g(0) * d.topRows<2>() + g(1) * d.bottomRows<2>() + pull * swells.transpose());
-      const Vec2 swells_other = (1.0 - patch.share) * (patch.by_other * other.gradient[l]);
-      matrix_.add(matrix_.find(cell.unknown[k], other.unknown[l]), pull * swells_other.transpose());
+constitutive::PatchResponse Assembler::respond(const Law& law, const DeformedPatch& deformed, const Patch& patch,
+                                               const History& history) {
+  constitutive::PatchResponse out;
+  if constexpr (constitutive::PathDependent<Law>) {
+    out = law.respond(deformed.strained, past_of(deformed.share, patch.cell, history.plastic, history.duration));
+    for (int i = 0; i < 2; ++i) plastic_[patch.cell[i]] = out.updated[i];
+  } else {
+    for (int i = 0; i < 2; ++i) {
+      const constitutive::Response own = law.respond(deformed.strained[i]);
+      out.piola[i] = own.piola;
+      out.tangent[i] = own.tangent;
+      out.by_pressure[i] = out.pressure_rate[i] = Mat2::Zero();
     }
   }
-  return true;
+  return out;
+}
+
+// The cell that is turned inside out, or kNone.
+template <class Law>
+Index Assembler::add_patch(const Law& law, const VecX& displacement, const History& history, std::size_t number) {
+  const Patch& patch = patches_[number];
+  const DeformedPatch at = deformed(model_, patch.cell, displacement);
+  for (int i = 0; i < 2; ++i)
+    if (!(at.J[i] > 0.0)) return patch.cell[i];
+  const PatchForces forces =
+      patch_forces(model_, patch, at, respond(law, at, patch, history), constitutive::kIsSmallStrain<Law>);
+  for (int k = 0; k < 4; ++k) {
+    force_.segment<2>(2 * patch.unknown[k]) += forces.force.segment<2>(2 * k);
+    if (matrix_is_final_) continue;
+    for (int l = 0; l < 4; ++l)
+      matrix_.add({patch_places_[number].start[k][l], patch_places_[number].stride[l]},
+                  forces.matrix.block<2, 2>(2 * k, 2 * l));
+  }
+  return kNone;
 }
 
 // The material point that is turned inside out, or kNone.
 template <class Law>
 Index Assembler::bulk_loop(const Law& law, const PointRange& range, const VecX& displacement, const History& history) {
   const std::size_t cells = model_.cells.size();
-  const bool patches = !model_.mate.empty();
+  const bool patches = !patches_.empty();
   std::size_t c = range.first;
+  const auto first_cell = [](const Patch& patch) { return static_cast<std::size_t>(patch.cell[0]); };
+  auto patch = std::ranges::lower_bound(patches_, c, {}, first_cell);
   for (; c < std::min(range.last, cells); ++c) {
     if (patches && model_.mate[c] != kNone) {
-      if (!add_patched(law, displacement, history, static_cast<Index>(c))) return static_cast<Index>(c);
+      if (patch == patches_.end() || first_cell(*patch) != c) continue;  // with its first cell
+      const auto number = static_cast<std::size_t>(patch++ - patches_.begin());
+      if (const Index bad = add_patch(law, displacement, history, number); bad != kNone) return bad;
       continue;
     }
     if (!add_point(law, displacement, history, c, model_.cells[c], model_.cells[c].area, places_[c]))

@@ -2,80 +2,114 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace cleft::assembly {
 namespace {
 
-using Edge = std::array<Index, 2>;  // by its unknowns, so that triangles on either side of a crack share none
+using Edge = std::array<Index, 2>;  // by its unknowns, so that cells on either side of a crack share none
 
-Edge longest_edge(const geometry::Mesh& mesh, const enrichment::Cell& cell) {
-  const auto& node = mesh.triangles[cell.element];
-  int longest = 0;
-  double most = 0.0;
-  for (int k = 0; k < 3; ++k) {
-    const double length = (mesh.nodes[node[(k + 1) % 3]] - mesh.nodes[node[k]]).squaredNorm();
-    if (length > most) {
-      most = length;
-      longest = k;
+struct Candidate {
+  std::array<double, 3> rank;  // length, then place, the first being the least
+  OfPatch<Index> cells;
+};
+
+// The edge from corner k of a cell.
+struct CellEdge {
+  Edge edge;
+  Index cell;
+  int corner;
+};
+
+std::vector<CellEdge> sides_of(const Model& model) {
+  std::vector<CellEdge> out;
+  for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(model.cells[c].unknown[k], model.cells[c].unknown[(k + 1) % 3]);
+      out.push_back({{low, high}, c, k});
     }
-  }
-  const Index a = cell.unknown[longest], b = cell.unknown[(longest + 1) % 3];
-  return {std::min(a, b), std::max(a, b)};
+  std::ranges::stable_sort(out, {}, &CellEdge::edge);
+  return out;
 }
 
-Mat2 inverse_transposed(const Mat2& F) {
-  Mat2 cofactors;
-  cofactors << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
-  return cofactors / det(F);
+std::array<double, 3> rank_of(const Model& model, const CellEdge& side) {
+  const auto& node = model.mesh.triangles[model.cells[side.cell].element];
+  const Vec2 &start = model.mesh.nodes[node[side.corner]], &end = model.mesh.nodes[node[(side.corner + 1) % 3]];
+  const Vec2 middle = 0.5 * (start + end);
+  return {-(end - start).squaredNorm(), middle.x(), middle.y()};
+}
+
+// Of the edge at which a crack ends three cells meet, two of them with the crack between.
+std::vector<Candidate> candidates_of(const Model& model) {
+  std::vector<Candidate> out;
+  const auto sides = sides_of(model);
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto next = std::find_if(side, sides.end(), [&](const CellEdge& other) { return other.edge != side->edge; });
+    if (next - side == 2 && &model.material(side->cell) == &model.material(side[1].cell))
+      out.push_back({rank_of(model, *side), {side->cell, side[1].cell}});
+    side = next;
+  }
+  std::ranges::sort(out, {}, &Candidate::rank);
+  return out;
 }
 
 }  // namespace
 
 std::vector<Index> pair_cells(const Model& model) {
-  const auto& cells = model.cells;
-  std::vector<Index> mate(cells.size(), kNone);
-  std::map<Edge, Index> waiting;
-  for (Index c = 0; c < static_cast<Index>(cells.size()); ++c) {
-    if (cells[c].cut != kNone) continue;
-    const auto [other, first] = waiting.emplace(longest_edge(model.mesh, cells[c]), c);
-    if (first || &model.material(c) != &model.material(other->second)) continue;
-    mate[c] = other->second;
-    mate[other->second] = c;
+  std::vector<Index> mate(model.cells.size(), kNone);
+  for (const auto& [rank, cells] : candidates_of(model)) {
+    if (mate[cells[0]] != kNone || mate[cells[1]] != kNone) continue;
+    mate[cells[0]] = cells[1];
+    mate[cells[1]] = cells[0];
   }
   return mate;
 }
 
+std::vector<Patch> patches_of(const Model& model) {
+  std::vector<Patch> out;
+  for (Index c = 0; c < static_cast<Index>(model.mate.size()); ++c) {
+    if (model.mate[c] <= c) continue;  // kNone is below every cell
+    const auto &first = model.cells[c].unknown, &second = model.cells[model.mate[c]].unknown;
+    Patch patch{{c, model.mate[c]}, {first[0], first[1], first[2], kNone}, {{{0, 1, 2}, {}}}};
+    for (int k = 0; k < 3; ++k) {
+      const auto at = std::ranges::find(first, second[k]) - first.begin();
+      patch.position[1][k] = static_cast<int>(at);
+      patch.unknown[at] = second[k];
+    }
+    out.push_back(patch);
+  }
+  return out;
+}
+
 // theory (1.6)
-PatchedCell patched(const Model& model, Index cell, const VecX& displacement) {
-  const auto& own = model.cells[cell];
-  const auto& other = model.cells[model.mate[cell]];
-  PatchedCell out;
-  const Mat2 F = deformation(model, cell, displacement), F_other = deformation(model, model.mate[cell], displacement);
-  out.deformation = F;
-  const double area = own.area + other.area;
+DeformedPatch deformed(const Model& model, const OfPatch<Index>& cells, const VecX& displacement) {
+  DeformedPatch out;
+  const double first = model.cells[cells[0]].area, second = model.cells[cells[1]].area;
+  out.share = {first / (first + second), second / (first + second)};
+  for (int i = 0; i < 2; ++i) out.deformation[i] = deformation(model, cells[i], displacement);
+  out.strained = out.deformation;
+  const auto& F = out.deformation;
   if (model.is_small_strain()) {
-    out.by_own = out.by_other = Mat2::Identity();
-    out.share = own.area / area;
-    out.strained = F + 0.5 * (1.0 - out.share) * (F_other.trace() - F.trace()) * Mat2::Identity();
+    const double apart = 0.5 * (F[1].trace() - F[0].trace());
+    out.strained[0] += out.share[1] * apart * Mat2::Identity();
+    out.strained[1] -= out.share[0] * apart * Mat2::Identity();
     return out;
   }
-  const double J = det(F), J_other = det(F_other);
-  const double mean = (own.area * J + other.area * J_other) / area;
-  out.strained = F;
-  if (!(J > 0.0) || !(J_other > 0.0)) return out;  // turned inside out: whoever needs forces finds out
-  out.stretch = std::sqrt(mean / J);
-  out.strained = out.stretch * F;
-  out.share = own.area * J / (area * mean);
-  out.by_own = inverse_transposed(F);
-  out.by_other = inverse_transposed(F_other);
+  out.J = {det(F[0]), det(F[1])};
+  out.mean = out.share[0] * out.J[0] + out.share[1] * out.J[1];
+  if (!(out.J[0] > 0.0) || !(out.J[1] > 0.0)) return out;  // whoever needs forces finds out
+  for (int i = 0; i < 2; ++i) out.strained[i] *= std::sqrt(out.mean / out.J[i]);
   return out;
 }
 
 Mat2 material_deformation(const Model& model, Index number, const VecX& displacement) {
   const bool cell = number < static_cast<Index>(model.mate.size());
-  return cell && model.mate[number] != kNone ? patched(model, number, displacement).strained
+  return cell && model.mate[number] != kNone ? deformed(model, {number, model.mate[number]}, displacement).strained[0]
                                              : deformation(model, number, displacement);
+}
+
+constitutive::PatchPast past_of(const OfPatch<double>& share, const OfPatch<Index>& cells,
+                                const std::vector<constitutive::PlasticState>& plastic, double duration) {
+  return {share, {plastic[cells[0]], plastic[cells[1]]}, duration};
 }
 
 }  // namespace cleft::assembly

@@ -75,13 +75,24 @@ double elastic_energy(const Model& model, const VecX& displacement,
 
 constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& displacement, const History& before) {
   constitutive::PlasticWork sum;
+  const auto add = [&](const constitutive::PlasticWork& work, double weight) {
+    sum.plastic += weight * work.plastic;
+    sum.viscous += weight * work.viscous;
+  };
   for_each_run(model, [&]<class Law>(const Law& law, const PointRange& range) {
     if constexpr (constitutive::PathDependent<Law>)
       for_each_material_point(model, range, [&](std::size_t p, const auto&, double weight) {
-        const Mat2 F = material_deformation(model, static_cast<Index>(p), displacement);
-        const auto work = law.dissipation(F, before.plastic[p], before.duration);
-        sum.plastic += weight * work.plastic;
-        sum.viscous += weight * work.viscous;
+        const auto number = static_cast<Index>(p);
+        const Index mate = p < model.mate.size() ? model.mate[p] : kNone;
+        if (mate == kNone) {
+          const Mat2 F = deformation(model, number, displacement);
+          add(law.dissipation(F, before.plastic[p], before.duration), weight);
+        } else if (number < mate) {
+          const OfPatch<Index> cells{number, mate};
+          const DeformedPatch patch = deformed(model, cells, displacement);
+          add(law.dissipation(patch.strained, past_of(patch.share, cells, before.plastic, before.duration)),
+              weight / patch.share[0]);
+        }
       });
   });
   return sum;

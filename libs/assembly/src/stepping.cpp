@@ -30,8 +30,7 @@ constexpr double kReaches = 1.0 + 2.5 * kGivesWay;  // times the wanted incremen
 }  // namespace
 
 Factorisation LoadStepper::factorisation_for(const Model& model) {
-  return model.has_contact() || !model.has_symmetric_stress() || !model.mate.empty() ? Factorisation::Unsymmetric
-                                                                                     : Factorisation::Symmetric;
+  return model.has_contact() || !model.has_symmetric_stress() ? Factorisation::Unsymmetric : Factorisation::Symmetric;
 }
 
 LoadStepper::LoadStepper(const Model& model, StepControls controls)

@@ -46,6 +46,7 @@ class Yielding : public testing::TestWithParam<Kind> {
     }
   }
   void expect_tangent_of_differences();
+  void expect_balance();
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, Yielding, testing::ValuesIn(kKinds), [](const auto& k) { return k.param.name; });
 
@@ -82,19 +83,23 @@ void Yielding::expect_tangent_of_differences() {
 
 TEST_P(Yielding, AssembledTangentMatchesDifferences) { expect_tangent_of_differences(); }
 
-// The forces of patches do not derive from an energy; their tangent is exact all the same.
+const Material kAssociated = constitutive::FinitePlastic{{kElastic, 8e8, 0.7, 0.7, 0.0}};
+
 class PatchedYielding : public Yielding {};
-INSTANTIATE_TEST_SUITE_P(Kinds, PatchedYielding,
-                         testing::Values(Kind{"finite", constitutive::FinitePlastic{kCone}, true},
-                                         Kind{"small", constitutive::SmallPlastic{kCone}, true}),
-                         [](const auto& k) { return k.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, PatchedYielding,
+    testing::Values(Kind{"finite", constitutive::FinitePlastic{kCone}, true},
+                    Kind{"small", constitutive::SmallPlastic{kCone}, true}, Kind{"associated", kAssociated, true},
+                    Kind{"hardening", constitutive::FinitePlastic{{kElastic, 8e8, 0.8, 0.7, 5e8}}, true},
+                    Kind{"j2", constitutive::FinitePlastic{constitutive::von_mises(kElastic, 1e9, 5e8)}, true}),
+    [](const auto& k) { return k.param.name; });
 
 TEST_P(PatchedYielding, AssembledTangentMatchesDifferences) { expect_tangent_of_differences(); }
 
-TEST_P(Yielding, EnergyBalancesUpToTheSizeOfTheIncrements) {
+void Yielding::expect_balance() {
   double last = 1.0;
   for (const int steps : {25, 100}) {
-    const Model model = block_of(GetParam().material);
+    const Model model = block_of(GetParam().material, 8, NegativeSide::Left, GetParam().patches);
     StepControls controls;
     controls.steps = steps;
     LoadStepper stepper(model, controls);
@@ -107,6 +112,9 @@ TEST_P(Yielding, EnergyBalancesUpToTheSizeOfTheIncrements) {
     last = imbalance;
   }
 }
+
+TEST_P(Yielding, EnergyBalancesUpToTheSizeOfTheIncrements) { expect_balance(); }
+TEST_P(PatchedYielding, EnergyBalancesUpToTheSizeOfTheIncrements) { expect_balance(); }
 
 TEST_P(Yielding, ARestoredRunGoesOnBitForBit) {
   const Model model = block_of(GetParam().material);
@@ -177,6 +185,33 @@ TEST(Linear, SymmetricFactorisationGoesWithAssociatedFlow) {
   EXPECT_EQ(LoadStepper::factorisation_for(plain(constitutive::FinitePlastic{associated})), Factorisation::Symmetric);
   EXPECT_EQ(LoadStepper::factorisation_for(block_of(constitutive::LinearElastic{kElastic})),
             Factorisation::Unsymmetric);
+  Model patches = plain(constitutive::FinitePlastic{associated});
+  patches.mate = pair_cells(patches);
+  EXPECT_EQ(LoadStepper::factorisation_for(patches), Factorisation::Symmetric);
+}
+
+// A matrix that the symmetric factorisation may take half of, in states that flow.
+TEST(Linear, PatchesOfAssociatedFlowHaveASymmetricMatrix) {
+  for (const bool small : {false, true}) {
+    const constitutive::DruckerPrager cone{kElastic, 8e8, 0.7, 0.7, 0.0};
+    Model model = plain(small ? Material(constitutive::SmallPlastic{cone}) : constitutive::FinitePlastic{cone});
+    model.mate = pair_cells(model);
+    LoadStepper stepper(model, {});
+    while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+    const State& state = stepper.state();
+    ASSERT_GT(state.energies.plastic_dissipation, 0.1 * state.energies.external_work);
+    Assembler assembler(model);
+    ASSERT_FALSE(assembler.assemble(2.0 * state.displacement - state.previous_displacement, state.history));
+    const BlockMatrix& matrix = assembler.matrix();
+    const double largest = Eigen::Map<const VecX>(matrix.values().data(), matrix.nonzeros()).cwiseAbs().maxCoeff();
+    for (Index k = 0; k < matrix.rows(); ++k) {
+      const VecX column = matrix.multiply(VecX::Unit(matrix.rows(), k));
+      for (Index l = 0; l < k; ++l) {
+        const double back = matrix.multiply(VecX::Unit(matrix.rows(), l))[k];
+        ASSERT_NEAR(column[l], back, 1e-11 * largest);
+      }
+    }
+  }
 }
 
 // Viscosity: no limit load, less flow the faster it is, and a dissipation of its own that closes the balance.

@@ -101,6 +101,21 @@ Mat4 pull_back(const Mat4& c, const Mat2& F_inverse) {
   return whole;
 }
 
+// What a linear function of g = dF F^-1 is of dF.
+Mat2 pull_back_rate(const Eigen::RowVector4d& rate, const Mat2& F_inverse) {
+  return Eigen::Map<const Mat2>(rate.data()) * F_inverse.transpose();
+}
+
+struct PatchTrial {
+  OfPatch<ElasticDeformation> elastic;
+  PatchStep step;
+};
+PatchTrial trial_of(const DruckerPrager& material, const OfPatch<Mat2>& deformation, const PatchPast& past) {
+  const OfPatch<ElasticDeformation> e{elastic_deformation(deformation[0], past.state[0]),
+                                      elastic_deformation(deformation[1], past.state[1])};
+  return {e, patch_step(material, {e[0].strain, e[1].strain}, past)};
+}
+
 }  // namespace
 
 Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
@@ -117,6 +132,28 @@ Response FinitePlastic::respond(const Mat2& deformation, const PlasticState& com
   return {tau * F_inverse.transpose(), pull_back(with_geometric_part(rate, tau), F_inverse)};
 }
 
+PatchResponse FinitePlastic::respond(const OfPatch<Mat2>& deformation, const PatchPast& past) const {
+  const auto [elastic, step] = trial_of(*this, deformation, past);
+  const bool flows = step.branch[0] != Branch::Elastic || step.branch[1] != Branch::Elastic;
+  PatchResponse out;
+  out.updated = past.state;
+  for (int i = 0; i < 2; ++i) {
+    const PlaneTensor& n = step.direction[i];
+    const Mat2 F_inverse = inverse(deformation[i]), tau = in_plane(step.stress[i]);
+    const Mat4 rate = stress_rate(step.moduli[i], n, elastic[i].shape);
+    out.piola[i] = tau * F_inverse.transpose();
+    out.tangent[i] = pull_back(with_geometric_part(rate, tau), F_inverse);
+    out.by_pressure[i] = in_plane(plus_identity(step.n_pressure[i] * n, 1.0)) * F_inverse.transpose();
+    const Eigen::RowVector4d volume(1, 0, 0, 1);
+    out.pressure_rate[i] = pull_back_rate(
+        step.by_shear[i] * rate_along(n, elastic[i].shape) + past.share[i] * step.by_volume * volume, F_inverse);
+    if (!flows) continue;
+    relax(out.updated[i], F_inverse, elastic[i], step.plastic_strain[i]);
+    out.updated[i].accumulated += step.multiplier[i];
+  }
+  return out;
+}
+
 double FinitePlastic::energy(const Mat2& deformation, const PlasticState& updated) const {
   return elastic_energy(constants, elastic_deformation(deformation, updated).strain);
 }
@@ -124,6 +161,10 @@ double FinitePlastic::energy(const Mat2& deformation, const PlasticState& update
 PlasticWork FinitePlastic::dissipation(const Mat2& deformation, const PlasticState& committed, double duration) const {
   const PlaneTensor trial = elastic_deformation(deformation, committed).strain;
   return plastic_step(*this, trial, committed.accumulated, duration).work;
+}
+
+PlasticWork FinitePlastic::dissipation(const OfPatch<Mat2>& deformation, const PatchPast& past) const {
+  return trial_of(*this, deformation, past).step.work;
 }
 
 double FinitePlastic::out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const {

@@ -10,6 +10,18 @@ PlaneTensor elastic_strain(const Mat2& H, const PlasticState& state) {
   return plane_tensor(H(0, 0) - plastic[0], H(1, 1) - plastic[1], 0.5 * (H(0, 1) + H(1, 0)) - plastic[2], -plastic[3]);
 }
 
+void add(const PlaneTensor& increment, PlasticState& state) {
+  state.deformation[0] += increment.centre + increment.radius[0];
+  state.deformation[1] += increment.centre - increment.radius[0];
+  state.deformation[2] += increment.radius[1];
+  state.deformation[3] += increment.normal;
+}
+
+PatchStep step_of(const DruckerPrager& material, const OfPatch<Mat2>& gradient, const PatchPast& past) {
+  return patch_step(material, {elastic_strain(gradient[0], past.state[0]), elastic_strain(gradient[1], past.state[1])},
+                    past);
+}
+
 }  // namespace
 
 Response SmallPlastic::respond(const Mat2& gradient, const PlasticState& committed, PlasticState& updated,
@@ -17,14 +29,26 @@ Response SmallPlastic::respond(const Mat2& gradient, const PlasticState& committ
   const PlasticStep step = plastic_step(*this, elastic_strain(gradient, committed), committed.accumulated, duration);
   updated = committed;
   if (step.map.branch != Branch::Elastic) {
-    const PlaneTensor& increment = step.plastic_strain;
-    updated.deformation[0] += increment.centre + increment.radius[0];
-    updated.deformation[1] += increment.centre - increment.radius[0];
-    updated.deformation[2] += increment.radius[1];
-    updated.deformation[3] += increment.normal;
+    add(step.plastic_strain, updated);
     updated.accumulated += step.map.multiplier;
   }
   return {in_plane(step.stress), stress_rate(step.map.moduli, step.direction, {})};
+}
+
+PatchResponse SmallPlastic::respond(const OfPatch<Mat2>& gradient, const PatchPast& past) const {
+  const PatchStep step = step_of(*this, gradient, past);
+  PatchResponse out;
+  out.updated = past.state;
+  for (int i = 0; i < 2; ++i) {
+    const PlaneTensor& n = step.direction[i];
+    out.piola[i] = in_plane(step.stress[i]);
+    out.tangent[i] = stress_rate(step.moduli[i], n, {});
+    out.by_pressure[i] = in_plane(plus_identity(step.n_pressure[i] * n, 1.0));
+    out.pressure_rate[i] = step.by_shear[i] * in_plane(n) + past.share[i] * step.by_volume * Mat2::Identity();
+    add(step.plastic_strain[i], out.updated[i]);
+    out.updated[i].accumulated += step.multiplier[i];
+  }
+  return out;
 }
 
 double SmallPlastic::energy(const Mat2& gradient, const PlasticState& updated) const {
@@ -33,6 +57,10 @@ double SmallPlastic::energy(const Mat2& gradient, const PlasticState& updated) c
 
 PlasticWork SmallPlastic::dissipation(const Mat2& gradient, const PlasticState& committed, double duration) const {
   return plastic_step(*this, elastic_strain(gradient, committed), committed.accumulated, duration).work;
+}
+
+PlasticWork SmallPlastic::dissipation(const OfPatch<Mat2>& gradient, const PatchPast& past) const {
+  return step_of(*this, gradient, past).work;
 }
 
 double SmallPlastic::out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const {

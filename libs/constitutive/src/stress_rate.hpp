@@ -2,6 +2,8 @@
 /// The part of the tangent that finite and small strain share.
 #pragma once
 
+#include <array>
+
 #include "cleft/constitutive/drucker_prager.hpp"
 
 namespace cleft::constitutive {
@@ -11,6 +13,10 @@ struct CircleShape {
   Vec2 w = Vec2::Zero();
   double remainder = 0.0;
 };
+
+/// n : de over dg for the rate de of the trial elastic strain, g = dF F^-1: a linear function of (g_11, g_21, g_12,
+/// g_22).
+Eigen::RowVector4d rate_along(const PlaneTensor& n, const CircleShape& shape);
 
 /// d tau_ij / d g_kl with g = dF F^-1: the moduli (direction n) times the rate of the trial elastic strain.
 Mat4 stress_rate(const Moduli& moduli, const PlaneTensor& n, const CircleShape& shape);

@@ -57,13 +57,11 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   }
 }
 
-void about_energy(const Scene& scene, const assembly::Energies& e, Lines& out) {
+void about_energy(const assembly::Energies& e, Lines& out) {
   const double off = e.relative_imbalance();
   if (off >= kUnbalanced)
-    out.push_back(fmt::format("{:.2g} % of the energy are not accounted for; {}", 100.0 * off,
-                              scene.f_bar ? "with f_bar up to 6 % have been seen, beyond these smaller increments "
-                                            "(loading.steps) help"
-                                          : "smaller increments (loading.steps)"));
+    out.push_back(
+        fmt::format("{:.2g} % of the energy are not accounted for; smaller increments (loading.steps)", 100.0 * off));
 }
 
 bool keeps_its_volume(const MaterialSpec& m) {
@@ -146,7 +144,7 @@ std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::Load
   if (!(stepper.state().load > 0.0)) return out;
   about_overlap(stepper, out);
   about_pressure(scene, stepper, out);
-  about_energy(scene, stepper.state().energies, out);
+  about_energy(stepper.state().energies, out);
   about_flow(scene, stepper.state().energies, out);
   return out;
 }

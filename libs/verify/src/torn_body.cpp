@@ -6,106 +6,127 @@
 #include "tally.hpp"
 
 namespace cleft::verify {
-namespace {
 
-assembly::Model torn(const assembly::Model& model) {
+std::vector<TornBody::Piece> TornBody::pieces_of(const assembly::Model& model) {
+  std::vector<Piece> out;
+  for (const auto& patch : assembly::patches_of(model))
+    out.push_back({{patch.cell[0], patch.cell[1]}, {patch.unknown.begin(), patch.unknown.end()}});
+  for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
+    if (const auto& unknown = model.cells[c].unknown; model.mate.empty() || model.mate[c] == kNone)
+      out.push_back({{c}, {unknown.begin(), unknown.end()}});
+  Index next = 0;
+  for (auto& piece : out) {
+    piece.first = next;
+    next += static_cast<Index>(piece.unknowns.size());
+  }
+  return out;
+}
+
+assembly::Model TornBody::torn(const assembly::Model& model, const std::vector<Piece>& pieces) {
   assembly::Model out;
   out.mesh = model.mesh;  // for messages
   out.materials = model.materials;
   out.material_of = model.material_of;
   if (!out.material_of.empty()) out.material_of.resize(model.cells.size());
   out.cells = model.cells;
-  for (std::size_t c = 0; c < out.cells.size(); ++c)
-    for (int k = 0; k < 3; ++k) out.cells[c].unknown[k] = static_cast<Index>(3 * c) + k;
-  out.unknowns.nodes = out.unknowns.count = static_cast<Index>(3 * out.cells.size());
+  out.mate = model.mate;
+  for (const auto& piece : pieces)
+    for (const Index c : piece.cells)
+      for (Index& unknown : out.cells[c].unknown)
+        unknown = piece.first + static_cast<Index>(std::ranges::find(piece.unknowns, unknown) - piece.unknowns.begin());
+  const Piece& last = pieces.back();
+  out.unknowns.nodes = out.unknowns.count = last.first + static_cast<Index>(last.unknowns.size());
   return out;
 }
 
-const char* name_of(const enrichment::Cell& cell) {
-  if (cell.cut == kNone) return "bulk";
-  return cell.side == geometry::Side::Left ? "bulk left" : "bulk right";
+std::string TornBody::name_of(const Piece& piece) const {
+  const std::string kind = piece.cells.size() > 1 ? "patch" : "bulk";
+  for (const Index c : piece.cells)
+    if (const auto side = whole_.cells[c].side_if_cut())
+      return kind + (*side == geometry::Side::Left ? " left" : " right");
+  return kind;
 }
-
-}  // namespace
 
 TornBody::TornBody(const assembly::Model& model, const assembly::History& history, const VecX& u,
                    const Lengths& lengths)
     : whole_(model),
-      torn_(torn(model)),
+      pieces_(pieces_of(model)),
+      torn_(torn(model, pieces_)),
       history_{{}, 0.0, history.plastic},
       u_(torn_.unknowns.components()),
       assembler_(torn_) {
-  for (std::size_t c = 0; c < model.cells.size(); ++c) {
-    double influence = lengths.influence[model.cells[c].unknown[0]];
-    for (int k = 0; k < 3; ++k) {
-      const Index unknown = model.cells[c].unknown[k];
-      u_.segment<2>(static_cast<Eigen::Index>(6 * c) + 2 * k) = u.segment<2>(2 * unknown);
-      influence = std::min(influence, lengths.influence[unknown]);
+  for (Piece& piece : pieces_) {
+    double influence = lengths.influence[piece.unknowns[0]];
+    for (std::size_t k = 0; k < piece.unknowns.size(); ++k) {
+      u_.segment<2>(2 * (piece.first + static_cast<Index>(k))) = u.segment<2>(2 * piece.unknowns[k]);
+      influence = std::min(influence, lengths.influence[piece.unknowns[k]]);
     }
-    step_.push_back(first_step(influence, lengths.reach));
+    piece.step = first_step(influence, lengths.reach);
   }
 }
 
-TornBody::Matrix6 TornBody::tangent(Index cell) const {
-  Matrix6 out;
-  for (int column = 0; column < 6; ++column)
-    for (int row = 0; row < 6; ++row) out(row, column) = entry(matrix_, 6 * cell + row, 6 * cell + column);
+TornBody::Matrix TornBody::tangent(const Piece& piece) const {
+  Matrix out = Matrix::Zero();
+  for (int column = 0; column < piece.components(); ++column)
+    for (int row = 0; row < piece.components(); ++row)
+      out(row, column) = entry(matrix_, 2 * piece.first + row, 2 * piece.first + column);
   return out;
 }
 
 bool TornBody::difference(double factor, std::vector<Quotients>& out) {
-  out.resize(step_.size());
-  for (int column = 0; column < 6; ++column) {
+  for (int column = 0; column < kMost; ++column) {
     std::array<VecX, kOffsets.size()> force;
     for (std::size_t k = 0; k < kOffsets.size(); ++k) {
       VecX there = u_;
-      for (std::size_t c = 0; c < step_.size(); ++c)
-        there[static_cast<Eigen::Index>(6 * c) + column] += kOffsets[k] * factor * step_[c];
+      for (const Piece& piece : pieces_)
+        if (column < piece.components()) there[2 * piece.first + column] += kOffsets[k] * factor * piece.step;
       if (assembler_.assemble(there, history_)) return false;
       force[k] = assembler_.internal_force();
     }
-    for (std::size_t c = 0; c < step_.size(); ++c)
-      for (int row = 0; row < 6; ++row) {
-        const auto at = static_cast<Eigen::Index>(6 * c) + row;
-        const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * step_[c]);
-        if (auto& best = out[c][row][column]; q.uncertainty < best.uncertainty) best = q;
+    for (std::size_t p = 0; p < pieces_.size(); ++p) {
+      if (column >= pieces_[p].components()) continue;
+      for (int row = 0; row < pieces_[p].components(); ++row) {
+        const Index at = 2 * pieces_[p].first + row;
+        const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * pieces_[p].step);
+        if (auto& best = out[p][row][column]; q.uncertainty < best.uncertainty) best = q;
       }
+    }
   }
   return true;
 }
 
-bool TornBody::is_certain(const Matrix6& exact, const Quotients& differences, double tolerance) {
-  for (int row = 0; row < 6; ++row)
-    for (const auto& q : differences[row])
-      if (!verify::is_certain(q, exact.row(row).cwiseAbs().maxCoeff(), tolerance)) return false;
+bool TornBody::is_certain(const Matrix& exact, const Quotients& differences, int components, double tolerance) {
+  for (int row = 0; row < components; ++row)
+    for (int column = 0; column < components; ++column)
+      if (!verify::is_certain(differences[row][column], exact.row(row).cwiseAbs().maxCoeff(), tolerance)) return false;
   return true;
 }
 
 std::optional<assembly::Failure> TornBody::check(double load, double tolerance, TangentReport& report) {
   if (auto failure = assembler_.assemble(u_, history_)) return failure;
   matrix_ = assembler_.matrix();
-  const auto cells = static_cast<Index>(step_.size());
-  std::vector<Quotients> differences(step_.size());
+  std::vector<Quotients> differences(pieces_.size());
   bool any = false;
   for (const double factor : {1.0, 1.0 / 16, 16.0}) {
     any |= difference(factor, differences);
     bool certain = any;
-    for (Index c = 0; c < cells && certain; ++c) certain = is_certain(tangent(c), differences[c], tolerance);
+    for (std::size_t p = 0; p < pieces_.size() && certain; ++p)
+      certain = is_certain(tangent(pieces_[p]), differences[p], pieces_[p].components(), tolerance);
     if (certain) break;
   }
-  for (Index c = 0; c < cells; ++c) {
-    const Matrix6 exact = tangent(c);
-    const auto& cell = whole_.cells[c];
-    auto& block = report.blocks[name_of(cell)];
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Piece& piece = pieces_[p];
+    const Matrix exact = tangent(piece);
+    auto& block = report.blocks[name_of(piece)];
     ++block.pieces;
     bool certain = true;
-    for (int row = 0; row < 6; ++row)
-      for (int column = 0; column < 6; ++column)
+    for (int row = 0; row < piece.components(); ++row)
+      for (int column = 0; column < piece.components(); ++column)
         certain &= count(block,
-                         {load, 2 * cell.unknown[row / 2] + row % 2, 2 * cell.unknown[column / 2] + column % 2,
-                          exact(row, column), 0, 0, exact.row(row).cwiseAbs().maxCoeff(), c, kNone},
-                         differences[c][row][column], tolerance);
-    if (!certain) report.kinks.push_back({kUnclear, load, c, kNone});
+                         {load, 2 * piece.unknowns[row / 2] + row % 2, 2 * piece.unknowns[column / 2] + column % 2,
+                          exact(row, column), 0, 0, exact.row(row).cwiseAbs().maxCoeff(), piece.cells[0], kNone},
+                         differences[p][row][column], tolerance);
+    if (!certain) report.kinks.push_back({kUnclear, load, piece.cells[0], kNone});
   }
   return std::nullopt;
 }

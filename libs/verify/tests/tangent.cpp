@@ -121,6 +121,24 @@ TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
   }
 }
 
+TEST(CheckTangent, JudgesPatchesAsOnePiece) {
+  for (const char* scene : {"block", "block_yield_small", "block_yield_finite"}) {
+    Subject block(scene, {"mesh.cells=[8,16]", "formulation.f_bar=true"});
+    TangentReport report = block.along_the_run(3);
+    EXPECT_LT(report.worst(), 1e-7) << scene;
+    EXPECT_TRUE(report.enough());
+    const auto& mate = block.model().mate;
+    const long singles = std::ranges::count(mate, kNone), cells = static_cast<long>(mate.size());
+    long alone = 0, pairs = 0;
+    for (const char* side : {"", " left", " right"}) {
+      alone += report.blocks["bulk" + std::string(side)].pieces;
+      pairs += report.blocks["patch" + std::string(side)].pieces;
+    }
+    EXPECT_EQ(alone, 3 * singles);
+    EXPECT_EQ(pairs, 3 * (cells - singles) / 2);
+  }
+}
+
 // The gaps are 4e-8 of an element: a step of the usual size would leave the branch.
 // Contact points are judged without the bulk around them, also where that is made of a tip's points that remember.
 TEST(CheckTangent, JudgesYieldingBodiesAndEnrichedTips) {

@@ -6,6 +6,7 @@
 
 #include "cleft/assembly/block_matrix.hpp"
 #include "cleft/assembly/failure.hpp"
+#include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/state.hpp"
 #include "cleft/contact/search.hpp"
 
@@ -83,13 +84,17 @@ class Assembler {
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
                  const Point& point, double weight, const Places<unknowns>& places);
   template <class Law>
-  bool add_patched(const Law& law, const VecX& displacement, const History& history, Index cell);
+  constitutive::PatchResponse respond(const Law& law, const DeformedPatch& deformed, const Patch& patch,
+                                      const History& history);
+  template <class Law>
+  Index add_patch(const Law& law, const VecX& displacement, const History& history, std::size_t number);
   template <class Law>
   constitutive::Response respond(const Law& law, const Mat2& deformation, const History& history, std::size_t number);
   template <class Law>
   Index bulk_loop(const Law& law, const PointRange& range, const VecX& displacement, const History& history);
 
   const Model& model_;
+  std::vector<Patch> patches_;
   contact::Search search_;
   std::vector<contact::Pair> pairs_;
   contact::Multipliers multipliers_;
@@ -97,7 +102,8 @@ class Assembler {
   bool matrix_is_final_ = false;  // that of a linear model, once it is assembled
   VecX force_, contact_force_;
   BlockMatrix matrix_;
-  std::vector<Places<3>> places_;                // of the cells
+  std::vector<Places<3>> places_;  // of the cells
+  std::vector<Places<4>> patch_places_;
   std::vector<Places<7>> tip_places_;            // of the tips' points
   std::vector<std::vector<Opposite>> opposite_;  // per strip of the hats, those met since the pattern was built
   ContactRoom room_;

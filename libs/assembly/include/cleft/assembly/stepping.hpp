@@ -118,7 +118,7 @@ class LoadStepper {
   /// several prescribe is divided among them (reactions.hpp).
   std::vector<Vec2> reactions() const;
 
-  /// Whether symmetric factorisation is allowed: no contact, no patches, and no plastic flow that is not associated.
+  /// Whether symmetric factorisation is allowed: no contact, and no plastic flow that is not associated.
   static Factorisation factorisation_for(const Model& model);
 
  private:

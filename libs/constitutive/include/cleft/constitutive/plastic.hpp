@@ -23,6 +23,7 @@
 #pragma once
 
 #include "cleft/constitutive/drucker_prager.hpp"
+#include "cleft/constitutive/patch.hpp"
 #include "cleft/constitutive/plastic_state.hpp"
 #include "cleft/constitutive/response.hpp"
 
@@ -41,12 +42,18 @@ struct FinitePlastic : DruckerPrager {
   Response respond(const Mat2& deformation, const PlasticState& committed, PlasticState& updated,
                    double duration = kForever) const;
 
+  /// The same of a patch whose points share their pressure (patch.hpp).
+  PatchResponse respond(const OfPatch<Mat2>& deformation, const PatchPast& past) const;
+
   /// Stored energy of the elastic strain per unit reference volume, J/m^3, at F with the state of the end of the step.
   /// What hardening consumes counts as dissipated.
   double energy(const Mat2& deformation, const PlasticState& updated) const;
 
   /// Plastic work of the step to F, with the stress at its end.
   PlasticWork dissipation(const Mat2& deformation, const PlasticState& committed, double duration = kForever) const;
+
+  /// The same of a patch, per undeformed volume of both points.
+  PlasticWork dissipation(const OfPatch<Mat2>& deformation, const PatchPast& past) const;
 
   /// tau_33 at F with the state of the end of the step, Pa.
   double out_of_plane_stress(const Mat2& deformation, const PlasticState& updated) const;
@@ -67,8 +74,10 @@ struct FinitePlastic : DruckerPrager {
 struct SmallPlastic : DruckerPrager {
   Response respond(const Mat2& gradient, const PlasticState& committed, PlasticState& updated,
                    double duration = kForever) const;
+  PatchResponse respond(const OfPatch<Mat2>& gradient, const PatchPast& past) const;
   double energy(const Mat2& gradient, const PlasticState& updated) const;
   PlasticWork dissipation(const Mat2& gradient, const PlasticState& committed, double duration = kForever) const;
+  PlasticWork dissipation(const OfPatch<Mat2>& gradient, const PatchPast& past) const;
   double out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const;
   ContinuumTangent continuum_tangent(const Mat2& gradient, const PlasticState& updated) const;
   static PlasticState mean(std::span<const WeightedState> states) { return linear_mean(states); }

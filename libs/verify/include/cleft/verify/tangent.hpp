@@ -42,8 +42,9 @@ struct TangentKink {
 };
 
 struct TangentReport {
-  /// By name: "bulk", "bulk left", "bulk right" (whole triangles, and either side of cut ones) cell by cell; "contact
-  /// open", "contact stick", "contact slip", "contact first touch", "contact at a mouth" point by point; "assembled".
+  /// By name: "bulk", "bulk left", "bulk right" (whole triangles, and either side of cut ones) cell by cell, and
+  /// "patch", "patch left", "patch right" of f_bar; "contact open", "contact stick", "contact slip", "contact first
+  /// touch", "contact at a mouth" point by point; "assembled".
   std::map<std::string, TangentBlock> blocks;
   std::vector<TangentKink> kinks;
   int states = 0;
