@@ -57,11 +57,18 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   }
 }
 
-void about_energy(const assembly::Energies& e, Lines& out) {
+// What lets energy go missing: increments that are too long or, no matter how long, jumps.
+void about_energy(const Scene& scene, const assembly::Energies& e, const Jumps& jumps, Lines& out) {
   const double off = e.relative_imbalance();
-  if (off >= kUnbalanced)
-    out.push_back(
-        fmt::format("{:.2g} % of the energy are not accounted for; smaller increments (loading.steps)", 100.0 * off));
+  const std::string missing = fmt::format("{:.2g} % of the energy are not accounted for", 100.0 * off);
+  if (jumps.increments > 0)
+    out.push_back(fmt::format(
+        "the body has jumped to another equilibrium {}, at load {:.6g}: {}; {}",
+        jumps.increments == 1 ? "once" : fmt::format("{} times, the first", jumps.increments), jumps.load, missing,
+        scene.loading.control == assembly::Control::Path ? "smaller increments (loading.steps)"
+                                                         : "loading.control = \"path\" follows what lies between"));
+  else if (off >= kUnbalanced)
+    out.push_back(missing + "; smaller increments (loading.steps)");
 }
 
 bool keeps_its_volume(const MaterialSpec& m) {
@@ -139,24 +146,14 @@ double worst_zone(std::vector<Pressed> along, double size) {
   return worst;
 }
 
-std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper) {
+std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper, const Jumps& jumps) {
   Lines out;
   if (!(stepper.state().load > 0.0)) return out;
   about_overlap(stepper, out);
   about_pressure(scene, stepper, out);
-  about_energy(stepper.state().energies, out);
+  about_energy(scene, stepper.state().energies, jumps, out);
   about_flow(scene, stepper.state().energies, out);
   return out;
-}
-
-std::vector<std::string> remarks_on_jumps(const Scene& scene, const Jumps& jumps) {
-  if (jumps.increments == 0) return {};
-  const bool along_path = scene.loading.control == assembly::Control::Path;
-  return {fmt::format(
-      "{} of the increments {} to another equilibrium, the first at load {:.6g}: energy is missing there "
-      "as where a body snaps through; {}",
-      jumps.increments, jumps.increments == 1 ? "has jumped" : "have jumped", jumps.load,
-      along_path ? "smaller increments (loading.steps)" : "loading.control = \"path\" follows what lies between")};
 }
 
 std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper) {

@@ -25,12 +25,9 @@ using Pressed = std::tuple<double, double, bool>;
 double worst_zone(std::vector<Pressed> along, double size);
 
 /// On the last converged state, one line each, with the figure that speaks for it: faces that overlap, a contact
-/// pressure that oscillates, energy that is not accounted for, flow in which triangles lock. Nothing before the first
-/// increment.
-std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper);
-
-/// On increments that have jumped to another branch of solutions.
-std::vector<std::string> remarks_on_jumps(const Scene& scene, const Jumps& jumps);
+/// pressure that oscillates, energy that is not accounted for, jumps to another equilibrium, flow in which triangles
+/// lock. Nothing before the first increment.
+std::vector<std::string> remarks_at_end(const Scene& scene, const assembly::LoadStepper& stepper, const Jumps& jumps);
 
 /// On forces that rounding blurs: of some increments, or all of a body that bears next to nothing.
 std::vector<std::string> remarks_on_rounding(const Rounded& rounded, const assembly::LoadStepper& stepper);

@@ -313,8 +313,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   result.newton_order = median(orders);
   if (scene.loading.control == assembly::Control::Path)
     result.critical = critical_points(read_csv(results.path("history.csv")));
-  result.remarks = remarks_at_end(scene, evolution.stepper());
-  for (auto& remark : remarks_on_jumps(scene, result.jumps)) result.remarks.push_back(std::move(remark));
+  result.remarks = remarks_at_end(scene, evolution.stepper(), result.jumps);
   for (auto& remark : remarks_on_rounding(result.rounded, evolution.stepper()))
     result.remarks.push_back(std::move(remark));
   for (auto& remark : remarks_on_growth(scene, evolution.record())) result.remarks.push_back(std::move(remark));
