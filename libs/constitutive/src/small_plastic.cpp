@@ -51,6 +51,15 @@ PatchResponse SmallPlastic::respond(const OfPatch<Mat2>& gradient, const PatchPa
   return out;
 }
 
+void SmallPlastic::share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share) {
+  const auto volume = [](const PlasticState& s) { return s.deformation[0] + s.deformation[1] + s.deformation[3]; };
+  const double apart = (volume(states[1]) - volume(states[0])) / 3.0;
+  for (const int k : {0, 1, 3}) {
+    states[0].deformation[k] += share[1] * apart;
+    states[1].deformation[k] -= share[0] * apart;
+  }
+}
+
 double SmallPlastic::energy(const Mat2& gradient, const PlasticState& updated) const {
   return elastic_energy(constants, elastic_strain(gradient, updated));
 }
