@@ -1,7 +1,9 @@
 #include "old_flow.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "cleft/assembly/patches.hpp"
 #include "cleft/geometry/common_area.hpp"
 #include "material_places.hpp"
 
@@ -32,18 +34,26 @@ double area_of(const Model& model, const Part& part) {
   return area;
 }
 
-// Of each old part the area that it has in common with a new one, spread over its points like their weights.
-Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
+// Of each old part an area, spread over its points like their weights.
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts,
+              const std::function<double(const Part&)>& area) {
   Shares out;
   for (const Part& part : parts) {
-    const double common = common_area(part, now);
-    if (!(common > 0.0)) continue;
-    const double scale = common / area_of(model, part);
+    const double counts = area(part);
+    if (!(counts > 0.0)) continue;
+    const double scale = counts / area_of(model, part);
     assembly::for_each_material_point(model, part.points, [&](std::size_t p, const auto&, double own) {
       out.push_back({scale * own, plastic[p]});
     });
   }
   return out;
+}
+
+// What it has in common with a new part; the whole triangle where that, a sliver, has nothing in common with any.
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
+  const auto common = shares(model, plastic, parts, [&](const Part& part) { return common_area(part, now); });
+  return common.empty() ? shares(model, plastic, parts, [&](const Part& part) { return area_of(model, part); })
+                        : common;
 }
 
 PlasticState mean(const assembly::Material& material, const Shares& shares) {
@@ -53,6 +63,26 @@ PlasticState mean(const assembly::Material& material, const Shares& shares) {
         return {};
       },
       material);
+}
+
+// Both cells of a patch have one pressure, for which only the mean of their plastic volumes counts. Who asks the law of
+// a cell by itself then finds that pressure, too.
+void share_volumes(const Model& model, Plastic& plastic) {
+  for (Index c = 0; c < static_cast<Index>(model.mate.size()); ++c) {
+    const Index mate = model.mate[c];
+    if (mate <= c) continue;
+    const double own = model.cells[c].area, other = model.cells[mate].area;
+    std::visit(
+        [&]<class Law>(const Law&) {
+          if constexpr (constitutive::PathDependent<Law>) {
+            assembly::OfPatch<PlasticState> both{plastic[c], plastic[mate]};
+            Law::share_volume(both, {own / (own + other), other / (own + other)});
+            plastic[c] = both[0];
+            plastic[mate] = both[1];
+          }
+        },
+        model.material(c));
+  }
 }
 
 }  // namespace
@@ -73,6 +103,7 @@ Plastic plastic_on(const Model& from, const Plastic& plastic, const Model& to) {
       std::fill(out.begin() + part.points.first, out.begin() + part.points.last, state);
     }
   }
+  share_volumes(to, out);
   return out;
 }
 

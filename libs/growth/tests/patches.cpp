@@ -1,0 +1,170 @@
+// Patches of bodies whose cracks grow.
+#include "cleft/assembly/patches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "bodies.hpp"
+#include "cleft/assembly/stress.hpp"
+#include "cleft/geometry/advance.hpp"
+#include "cleft/growth/transfer.hpp"
+
+namespace cleft::growth {
+namespace {
+
+using assembly::Model;
+
+const constitutive::DruckerPrager kRock{constitutive::lame(1e10, 0.25), 5e7, 0.3, 0.3, 1e9};
+
+struct Kind {
+  const char* name;
+  assembly::Material material;
+  double delaunay = 0.0;
+};
+std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
+
+bodies::Square square_of(const Kind& kind) {
+  auto square = bodies::edge_crack();
+  square.material = kind.material;
+  square.delaunay = kind.delaunay;
+  square.f_bar = true;
+  return square;
+}
+
+Law rankine(double strength, double advance, int most) {
+  Law law{Rankine{strength, 0.12}};
+  law.advance = advance;
+  law.most = most;
+  return law;
+}
+
+// Kirchhoff's, at small strain Cauchy's, of a cell alone.
+double mean_stress(const Model& m, const assembly::State& state, Index cell) {
+  const Mat2 F = assembly::material_deformation(m, cell, state.displacement);
+  const auto stress = assembly::stress_of(m.material(cell), F, state.history.plastic[cell]);
+  return (m.is_small_strain() ? 1.0 : F.determinant()) * (stress.in_plane.trace() + stress.out_of_plane) / 3.0;
+}
+
+// Largest difference of the mean stresses that both cells of a patch have by themselves, over the largest of all.
+double difference_of_pressures(const Model& m, const assembly::State& state) {
+  double difference = 0.0, largest = 0.0;
+  for (const auto& patch : assembly::patches_of(m)) {
+    const double one = mean_stress(m, state, patch.cell[0]), other = mean_stress(m, state, patch.cell[1]);
+    difference = std::max(difference, std::fabs(one - other));
+    largest = std::max({largest, std::fabs(one), std::fabs(other)});
+  }
+  return difference / largest;
+}
+
+class GrowingPatches : public testing::TestWithParam<Kind> {};
+
+TEST_P(GrowingPatches, SettleHaveOnePressureEachAndCloseTheEnergy) {
+  Evolution body = square_of(GetParam()).evolution(rankine(4e7, 0.1, 2), 50);
+  const auto run = bodies::run(body);
+  ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
+  EXPECT_EQ(run.advances().size(), 2u);
+  const auto& state = body.stepper().state();
+  double flow = 0.0, released = 0.0;
+  for (const auto& p : state.history.plastic) flow = std::max(flow, p.accumulated);
+  EXPECT_GT(flow, 1e-3);
+  for (const auto& step : run.steps) {
+    EXPECT_TRUE(step.advances.empty() || step.released > 0.0);
+    released += step.released;
+  }
+  EXPECT_NEAR(state.energies.released, released, 1e-12 * released);
+  EXPECT_LT(state.energies.relative_imbalance(), 2e-3);  // the trapezoidal rule over the increments
+  EXPECT_LT(difference_of_pressures(body.model(), state), 1e-9);
+}
+
+// Only what keeps its shape may differ between the cells of a patch that the transfer has made.
+TEST_P(GrowingPatches, AreHandedOnWithOnePlasticVolumeAndTheSameMean) {
+  const auto square = square_of(GetParam());
+  const Model before = square();
+  assembly::LoadStepper stepper(before, bodies::in_steps(10));
+  while (!stepper.done()) ASSERT_EQ(stepper.advance().index(), 0u);
+  const Model after = square({geometry::extended(square.cracks[0], 1, {0.55, 0.66})});
+  auto alone = after;  // without patches
+  alone.mate.clear();
+  const auto volume = [&](const constitutive::PlasticState& s) {
+    const auto& [xx, yy, xy, zz] = s.deformation;
+    return after.is_small_strain() ? xx + yy + zz : std::log1p(xx + yy + xx * yy - xy * xy) + std::log1p(zz);
+  };
+  const auto shared = transfer(before, stepper.state(), after).history.plastic,
+             own = transfer(before, stepper.state(), alone).history.plastic;
+  double apart = 0.0;
+  for (const auto& patch : assembly::patches_of(after)) {
+    const auto [a, b] = patch.cell;
+    const double mean = (after.cells[a].area * volume(own[a]) + after.cells[b].area * volume(own[b])) /
+                        (after.cells[a].area + after.cells[b].area);
+    EXPECT_NEAR(volume(shared[a]), mean, 1e-14);
+    EXPECT_NEAR(volume(shared[b]), mean, 1e-14);
+    EXPECT_EQ(shared[a].accumulated, own[a].accumulated);
+    apart = std::max(apart, std::fabs(volume(own[a]) - volume(own[b])));
+  }
+  EXPECT_GT(apart, 1e-5) << "the test must see patches of cells with pasts of their own";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GrowingPatches,
+                         testing::Values(Kind{"small", constitutive::SmallPlastic{kRock}},
+                                         Kind{"finite", constitutive::FinitePlastic{kRock}},
+                                         Kind{"small_delaunay", constitutive::SmallPlastic{kRock}, 0.1},
+                                         Kind{"finite_delaunay", constitutive::FinitePlastic{kRock}, 0.1}),
+                         [](const auto& kind) { return kind.param.name; });
+
+// By element and side.
+using Pairs = std::map<std::pair<Index, int>, std::pair<Index, int>>;
+Pairs pairs_of(const Model& m) {
+  const auto name = [&](Index c) {
+    return std::pair(m.cells[c].element, m.cells[c].cut == kNone ? -1 : static_cast<int>(m.cells[c].side));
+  };
+  Pairs out;
+  for (Index c = 0; c < static_cast<Index>(m.cells.size()); ++c)
+    if (m.mate[c] != kNone) out[name(c)] = name(m.mate[c]);
+  return out;
+}
+
+// A crack that grows leaves the patches that it does not cut as they are.
+TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
+  for (const double size : {0.1, 0.05, 0.03}) {
+    auto square = square_of({"", constitutive::SmallPlastic{kRock}, size});
+    const Model before = square(), after = square({geometry::extended(square.cracks[0], 1, {0.45, 0.56})});
+    const auto was = pairs_of(before), is = pairs_of(after);
+    int stay = 0;
+    for (const auto& [cell, mate] : was) {
+      const auto touched = [&](Index element) {
+        return before.cut.cut_of_element[element] != kNone || after.cut.cut_of_element[element] != kNone;
+      };
+      if (touched(cell.first) || touched(mate.first)) continue;
+      ASSERT_TRUE(is.contains(cell));
+      EXPECT_EQ(is.at(cell), mate);
+      ++stay;
+    }
+    EXPECT_GT(stay, 100);
+  }
+}
+
+// Elastic: what an advance sets free is the difference of two stationary cracks, however their patches are made.
+TEST(GrowingPatches, SetFreeTheDifferenceOfTwoStationaryCracks) {
+  for (const double size : {0.0, 0.07}) {
+    auto square = square_of({"", constitutive::Hencky{constitutive::lame(1e10, 0.25)}, size});
+    Evolution body = square.evolution(rankine(6e7, 0.1, 1), 10);
+    const auto run = bodies::run(body);
+    ASSERT_EQ(run.advances().size(), 1u);
+    const Advance advance = run.advances()[0];
+    const auto energy_of = [&](const std::vector<geometry::Crack>& cracks) {
+      const Model model = square(cracks);
+      auto controls = bodies::in_steps(1);
+      controls.outputs = {run.loads_of_growth()[0]};
+      assembly::LoadStepper stepper(model, controls);
+      EXPECT_EQ(stepper.advance().index(), 0u);
+      return stepper.state().energies.elastic + stepper.state().energies.contact;
+    };
+    const double before = energy_of(square.cracks),
+                 after = energy_of({geometry::extended(square.cracks[0], advance.tip.end, advance.point)});
+    EXPECT_NEAR(body.stepper().state().energies.released, before - after, 1e-6 * before);
+  }
+}
+
+}  // namespace
+}  // namespace cleft::growth
