@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cleft/constitutive/logarithm.hpp"
-#include "cleft/constitutive/plastic.hpp"
+#include "cleft/constitutive/plastic_volume.hpp"
 #include "stress_rate.hpp"
 
 namespace cleft::constitutive {
@@ -84,11 +84,15 @@ PlasticState exponential_of(PlasticState logarithm) {
   return logarithm;
 }
 
-// C_p^-1 - 1 where C_p^-1 grows by e^by in every direction.
-void swell(PlasticState& state, double by) {
+// C_p^-1 - 1 where C_p^-1 grows by e^by in every direction of the plane, or of space.
+void grow_in_plane(PlasticState& state, double by) {
   const double factor = std::expm1(by);
-  for (const int k : {0, 1, 3}) state.deformation[k] += factor * (1.0 + state.deformation[k]);
+  for (const int k : {0, 1}) state.deformation[k] += factor * (1.0 + state.deformation[k]);
   state.deformation[2] += factor * state.deformation[2];
+}
+void grow(PlasticState& state, double by) {
+  grow_in_plane(state, by);
+  state.deformation[3] += std::expm1(by) * (1.0 + state.deformation[3]);
 }
 
 // a_ijkl - tau_il delta_jk of theory (1.5)
@@ -192,13 +196,15 @@ PlasticState FinitePlastic::mean(std::span<const WeightedState> states) {
   return exponential_of(linear_mean(states, logarithm_of));
 }
 
+void swell_in_plane(const FinitePlastic&, PlasticState& state, double by) { grow_in_plane(state, -by); }
+
 void FinitePlastic::share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share) {
   const auto volume = [](const PlasticState& s) {
     return log_det_of_one_plus(plane_part(s)) + std::log1p(s.deformation[3]);
   };
   const double apart = (volume(states[1]) - volume(states[0])) / 3.0;
-  swell(states[0], share[1] * apart);
-  swell(states[1], -share[0] * apart);
+  grow(states[0], share[1] * apart);
+  grow(states[1], -share[0] * apart);
 }
 
 }  // namespace cleft::constitutive

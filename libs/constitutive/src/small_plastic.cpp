@@ -1,4 +1,4 @@
-#include "cleft/constitutive/plastic.hpp"
+#include "cleft/constitutive/plastic_volume.hpp"
 #include "small_strain.hpp"
 #include "stress_rate.hpp"
 
@@ -49,6 +49,10 @@ PatchResponse SmallPlastic::respond(const OfPatch<Mat2>& gradient, const PatchPa
     out.updated[i].accumulated += step.multiplier[i];
   }
   return out;
+}
+
+void swell_in_plane(const SmallPlastic&, PlasticState& state, double by) {
+  for (const int k : {0, 1}) state.deformation[k] += 0.5 * by;
 }
 
 void SmallPlastic::share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "cleft/assembly/patches.hpp"
 #include "cleft/geometry/common_area.hpp"
 #include "material_places.hpp"
 
@@ -65,26 +64,6 @@ PlasticState mean(const assembly::Material& material, const Shares& shares) {
       material);
 }
 
-// Both cells of a patch have one pressure, for which only the mean of their plastic volumes counts. Who asks the law of
-// a cell by itself then finds that pressure, too.
-void share_volumes(const Model& model, Plastic& plastic) {
-  for (Index c = 0; c < static_cast<Index>(model.mate.size()); ++c) {
-    const Index mate = model.mate[c];
-    if (mate <= c) continue;
-    const double own = model.cells[c].area, other = model.cells[mate].area;
-    std::visit(
-        [&]<class Law>(const Law&) {
-          if constexpr (constitutive::PathDependent<Law>) {
-            assembly::OfPatch<PlasticState> both{plastic[c], plastic[mate]};
-            Law::share_volume(both, {own / (own + other), other / (own + other)});
-            plastic[c] = both[0];
-            plastic[mate] = both[1];
-          }
-        },
-        model.material(c));
-  }
-}
-
 }  // namespace
 
 Plastic plastic_on(const Model& from, const Plastic& plastic, const Model& to) {
@@ -103,7 +82,6 @@ Plastic plastic_on(const Model& from, const Plastic& plastic, const Model& to) {
       std::fill(out.begin() + part.points.first, out.begin() + part.points.last, state);
     }
   }
-  share_volumes(to, out);
   return out;
 }
 
