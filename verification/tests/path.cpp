@@ -132,6 +132,22 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   std::filesystem::remove_all(parts);
 }
 
+// At 0.46 of the load, falling, a point of contact opens, and the coordinate of the path has to go back.
+TEST(Snap, GoesOnWhereAContactThatOpensBendsThePath) {
+  const auto scene =
+      scene_of("s_crack", {"loading.steps=50", "loading.control=path", "crack.main.contact.method=mortar"});
+  const auto model = scene::build_model(scene);
+  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  double largest = 0.0;
+  while (stepper.state().load > 0.42 || stepper.state().load == largest) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<assembly::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_LT(std::get<assembly::Step>(outcome).number, 150);
+    largest = std::max(largest, stepper.state().load);
+  }
+  EXPECT_NEAR(largest, 0.677, 0.002);
+}
+
 // --- plateaus ---------------------------------------------------------------------------------------------------
 
 // sigma_yy at which a block of cohesion alpha, friction beta and dilatancy b flows in plane strain with a free side. In

@@ -95,6 +95,18 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
   return solve({.load = mark, .guess = &guess}, observer);
 }
 
+// Past a kink of the path, as where a point of contact opens, its coordinate may have to go back: then the load leads,
+// the way that it went.
+std::optional<Increment> LoadStepper::lead_by_load(const IterationObserver& observer) {
+  const double way = state_.load > state_.previous_load ? 1.0 : -1.0;
+  for (double part = 1.0 / 16.0; part > kShortest; part *= 0.125) {
+    Increment out = solve({.load = state_.load + way * part * planned()}, observer);
+    if (!out.failure) out.failure = refuse(out);
+    if (!out.failure && out.load <= next_mark()) return out;
+  }
+  return std::nullopt;
+}
+
 // From a kink the path leads no one knows where, and nowhere in a hold.
 bool LoadStepper::knows_path() const {
   return controls_.control == Control::Path && !model_.is_linear() && state_.progress.size() > 0 &&
@@ -203,7 +215,9 @@ std::optional<Failure> LoadStepper::refuse(const Increment& increment) const {
   if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
   if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
   const auto& pivots = increment.iterations.back().pivots;
+  const auto slips = [](const contact::Pair& pair) { return pair.state.traction.status == contact::Status::Slip; };
   const bool positive = pivots && !pivots->negative_determinant;
+  if (std::ranges::any_of(assembler_.pairs(), slips)) return std::nullopt;
   if (!unloads_elastically(state_, assembler_.plastic(), increment.load, positive)) return std::nullopt;
   return Failure{FailureKind::Unloads, "", "hardening, or a finer mesh: this is where the path of flow ends"};
 }
@@ -243,7 +257,7 @@ bool LoadStepper::try_again(double taken, double least, Tries& tries) {
 
 // Commits an increment unless it is inaccurate or has jumped; then what is to be tried instead is known.
 std::optional<Step> LoadStepper::keep(const Increment& increment, bool easy, bool goes_on, Tries& tries) {
-  const bool along_path = place_.stretch > 0.0, guarded = !tries.believes && is_guarded();
+  const bool along_path = place_.stretch > 0.0, guarded = tries.led || (!tries.believes && is_guarded());
   const auto before = guarded ? std::optional(Committed{state_, place_, pairs_}) : std::nullopt;
   const Energies energies = state_.energies;
   auto out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
@@ -274,7 +288,11 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     if (!increment.failure) increment.failure = refuse(increment);
     if (increment.failure) {
       if (try_again(taken, least, tries)) continue;
-      return given_up(*increment.failure, increment.load, size);
+      if (along_path && !tries.led) {
+        tries.led = true;
+        if (auto led = lead_by_load(observer)) increment = std::move(*led);
+      }
+      if (increment.failure) return given_up(*increment.failure, increment.load, size);
     }
     const double flow = along_path ? 0.0 : largest_flow(model_, state_.history.plastic, assembler_.plastic());
     if (flow > controls_.max_flow && taken > kShortForFlow * planned()) {

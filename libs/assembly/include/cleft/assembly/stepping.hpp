@@ -131,6 +131,7 @@ class LoadStepper {
   double next_mark() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
+  std::optional<Increment> lead_by_load(const IterationObserver& observer);
   bool knows_path() const;
   bool is_longer(double part) const;
   bool shorten(double taken, double least);
@@ -156,6 +157,7 @@ class LoadStepper {
     int cuts = 0;
     std::optional<StepPlace> dropped;  // where an increment of the load seemed to jump
     bool believes = false;             // keeps it after all
+    bool led = false;                  // by the load, past a kink of the path
   };
   bool try_again(double taken, double least, Tries& tries);
   std::optional<Step> keep(const Increment& increment, bool easy, bool goes_on, Tries& tries);
