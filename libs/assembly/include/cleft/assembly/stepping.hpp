@@ -86,8 +86,8 @@ struct Event {
 /// and load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again. An
 /// increment that has jumped to another branch of solutions, as the energies tell, is dropped: on the path for a
 /// shorter one, down to 1/64 of the longest; of the load for the path and, where that leads nowhere, made after all.
-/// Increments that fail become as short as 1/4096 of the longest. The run ends on a plateau, where the body could only
-/// unload elastically, and where the path leads back to load 0.
+/// Increments that fail become as short as 1/4096 of the longest; then the load leads once, the way that it went. The
+/// run ends on a plateau, where the body could only unload elastically, and where the path leads back to load 0.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
