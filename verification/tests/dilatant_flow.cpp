@@ -127,17 +127,23 @@ TEST(DilatantFlow, CarriesPrandtlsLoadUnderAFooting) {
   }
 }
 
-// Flow that is not associated carries no more than associated flow of the same yield condition (Radenkovic), and about
-// what associated flow does of the strengths that Davis (1968) reduced.
+// Flow that is not associated carries no more than associated flow of the same yield condition (Radenkovic), here on
+// the same mesh, and no less than associated flow of the strengths that Davis (1968) reduced. Its cone is matched to
+// the angle of friction in plane strain, whose limit load it must not pass by more than the mesh is off.
 TEST(DilatantFlow, ThatIsNotAssociatedCarriesLessUnderAFooting) {
   const double psi = 0.25 * kPhi, reduced = std::cos(psi) / (1.0 - std::sin(psi) * std::sin(kPhi));
   const double davis = bearing_of_prandtl(std::atan(reduced * std::sin(kPhi))) * reduced * std::cos(kPhi);
   for (const std::string diagonal : {"right", "left", "alternating"}) {
-    const Solved run = solve_footing(cone_of(kPhi, psi, kCohesion), 64, diagonal);
-    const double load = bearing_capacity(run, 64);
-    fmt::print("{:12} load over c B {:.3f}, Davis {:.3f}, associated {:.3f}, falls by {:.1e}\n", diagonal, load, davis,
-               bearing_of_prandtl(kPhi), largest_fall(run, "fy_footing"));
-    EXPECT_LT(load, 1.03 * bearing_of_prandtl(kPhi));
+    const Cone cone = cone_of(kPhi, psi, kCohesion);
+    const Solved run = solve_footing(cone, 64, diagonal);
+    const double load = bearing_capacity(run, 64),
+                 associated =
+                     bearing_capacity(solve_footing({cone.friction, cone.friction, cone.cohesion}, 64, diagonal), 64);
+    fmt::print(
+        "{:12} load over c B {:.3f}, Davis {:.3f}, Prandtl {:.3f}, same cone associated {:.3f}, falls by {:.1e}\n",
+        diagonal, load, davis, bearing_of_prandtl(kPhi), associated, largest_fall(run, "fy_footing"));
+    EXPECT_LT(load, associated);
+    EXPECT_LT(load, 1.01 * bearing_of_prandtl(kPhi));
     EXPECT_GT(load, davis);
     EXPECT_LE(largest_fall(run, "fy_footing"), 1e-6);
   }
@@ -185,39 +191,60 @@ TEST(DilatantFlow, HoldsThePressureOfAThickRing) {
   }
 }
 
-// The largest load that load control reaches.
+// The load at which the path ends in a plateau.
 double limit_of_slope(double size) {
-  const scene::Scene scene = scene_of("slope", {fmt::format("mesh.size={}", size), "gravity.density=24240",
-                                                "loading.steps=60", "solver.min_step=0.01"});
+  const scene::Scene scene =
+      scene_of("slope", {fmt::format("mesh.size={}", size), "gravity.density=24240", "loading.control='path'"});
   const auto model = scene::build_model(scene);
   assembly::LoadStepper stepper(model, scene::step_controls(scene));
-  while (!stepper.done() && std::holds_alternative<assembly::Step>(stepper.advance())) {
+  double most = 0.0;
+  while (!stepper.done()) {
+    const auto outcome = stepper.advance();
+    most = std::max(most, stepper.state().load);
+    if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
+      EXPECT_EQ(failure->kind, assembly::FailureKind::Plateau) << assembly::describe(*failure);
+      return 1.5 * most;
+    }
   }
-  EXPECT_FALSE(stepper.done());
-  return 1.5 * stepper.state().load;
+  ADD_FAILURE() << "it bears the full load";
+  return 1.5;
 }
 
 TEST(DilatantFlow, HoldsASlopeUpToTheLogSpiral) {
   Case table("slope of 45 degrees, associated Drucker-Prager");
-  const double coarse = limit_of_slope(1.5), fine = limit_of_slope(0.75);
-  EXPECT_LT(fine, coarse);
-  table.compare("weight over that of the log spiral, h = 0.075 H", fine, exact(1.0),
-                within(0.08, "the mesh: 0.18 with elements of twice the size"));
+  const double coarse = limit_of_slope(1.5), middle = limit_of_slope(0.75), fine = limit_of_slope(0.5);
+  table.compare("weight over that of the log spiral, h = 0.15 H", coarse, exact(1.0), within(0.19, "the mesh"));
+  table.compare("weight over that of the log spiral, h = 0.075 H", middle, exact(1.0),
+                within(0.085, "the mesh: half the error of elements of twice the size"));
+  table.compare("weight over that of the log spiral, h = 0.05 H", fine, exact(1.0),
+                within(0.055, "the mesh: two thirds of that"));
+  EXPECT_LT(middle, coarse);
+  EXPECT_LT(fine, middle);
 }
 
-// Until flow localises the direction of diagonals hardly matters.
+double spread(const std::vector<double>& force) {
+  const auto [low, high] = std::ranges::minmax(force);
+  return (high - low) / std::max(std::fabs(low), std::fabs(high));
+}
+
+// Until flow localises the direction of diagonals hardly matters: at small strain up to the full load (without patches
+// 5 %).
 TEST(DilatantFlow, OfTheBlockHardlyDependsOnTheDiagonals) {
   for (const std::string scene : {"block_yield_small", "block_yield_finite"}) {
-    std::vector<double> force;
+    std::vector<double> half, full;
     for (const std::string diagonal : {"right", "left", "alternating"}) {
       const Solved run = solve(scene, {fmt::format("mesh.diagonal='{}'", diagonal), "formulation.f_bar=true"});
-      force.push_back(run.at("fy_top", 0.5));
+      half.push_back(run.at("fy_top", 0.5));
+      full.push_back(run.at("fy_top", 1.0));
       EXPECT_LT(missing_energy(run), 0.005) << scene << ' ' << diagonal;
-      fmt::print("{} {:12} at half {:.0f}, at full load {:.0f}, unaccounted {:.2g}\n", scene, diagonal,
-                 run.at("fy_top", 0.5), run.at("fy_top", 1.0), missing_energy(run));
+      fmt::print("{} {:12} at half {:.0f}, at full load {:.0f}, unaccounted {:.2g}\n", scene, diagonal, half.back(),
+                 full.back(), missing_energy(run));
     }
-    const auto [low, high] = std::ranges::minmax(force);
-    EXPECT_LT(std::fabs(high - low), 0.015 * std::fabs(high)) << scene;
+    fmt::print("{} differs by {:.4f} at half, {:.4f} at full load\n", scene, spread(half), spread(full));
+    EXPECT_LT(spread(half), 0.01) << scene;
+    if (scene == "block_yield_small") {
+      EXPECT_LT(spread(full), 0.02);
+    }
   }
 }
 

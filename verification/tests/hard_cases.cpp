@@ -266,7 +266,7 @@ std::vector<Pair> pairs() {
       {"a quarter of the height in one increment, or in eight", "block", all_at_once(1), all_at_once(8),
        within(5e-3, "friction remembers the way; the increment is cut to three")},
       {"Poisson's ratio 0.499, or 0.4999, sliding", "block", nearly_fluid("0.499"), nearly_fluid("0.4999"),
-       within(2e-2, "compressed by 6e-3 and 6e-4 of what shear gives; without patches they differ by half")},
+       within(7e-3, "compressed by 6e-3 and 6e-4 of what shear gives; without patches they differ by half")},
       {"penalty 1e3 E/h, or 1e4 E/h, sliding",
        "block",
        {"crack.main.contact={normal_penalty=2e15,tangential_penalty=2e15}"},

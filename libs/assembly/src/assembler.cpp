@@ -211,7 +211,7 @@ bool Assembler::add_point(const Law& law, const VecX& displacement, const Histor
   return true;
 }
 
-// Laws without memory share their pressure by the volume alone.
+// Laws without memory share what of their pressure depends on the volume.
 template <class Law>
 constitutive::PatchResponse Assembler::respond(const Law& law, const DeformedPatch& deformed, const Patch& patch,
                                                const History& history) {

@@ -6,62 +6,106 @@
 namespace cleft::assembly {
 namespace {
 
-using Edge = std::array<Index, 2>;  // by its unknowns, so that cells on either side of a crack share none
+using Edge = std::array<Index, 2>;
 
-struct Candidate {
-  std::array<double, 3> rank;  // length, then place, the first being the least
-  OfPatch<Index> cells;
-};
-
-// The edge from corner k of a cell.
-struct CellEdge {
-  Edge edge;
-  Index cell;
+// One side of a piece of the body, a triangle or a cell: its edge from the triangle's corner k.
+struct Side {
+  Edge edge;  // by numbers that pieces with a crack between them do not have in common
+  Index piece, triangle;
   int corner;
 };
 
-std::vector<CellEdge> sides_of(const Model& model) {
-  std::vector<CellEdge> out;
-  for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(model.cells[c].unknown[k], model.cells[c].unknown[(k + 1) % 3]);
-      out.push_back({{low, high}, c, k});
-    }
-  std::ranges::stable_sort(out, {}, &CellEdge::edge);
-  return out;
-}
+struct Candidate {
+  bool again;  // both triangles are one patch without cracks
+  double length;
+  Vec2 place;
+  std::array<Index, 2> pieces;
+  std::array<int, 4> rank{};  // the least comes first
+};
 
-std::array<double, 3> rank_of(const Model& model, const CellEdge& side) {
-  const auto& node = model.mesh.triangles[model.cells[side.cell].element];
-  const Vec2 &start = model.mesh.nodes[node[side.corner]], &end = model.mesh.nodes[node[(side.corner + 1) % 3]];
-  const Vec2 middle = 0.5 * (start + end);
-  return {-(end - start).squaredNorm(), middle.x(), middle.y()};
-}
-
-// Of the edge at which a crack ends three cells meet, two of them with the crack between.
-std::vector<Candidate> candidates_of(const Model& model) {
-  std::vector<Candidate> out;
-  const auto sides = sides_of(model);
-  for (auto side = sides.begin(); side != sides.end();) {
-    const auto next = std::find_if(side, sides.end(), [&](const CellEdge& other) { return other.edge != side->edge; });
-    if (next - side == 2 && &model.material(side->cell) == &model.material(side[1].cell))
-      out.push_back({rank_of(model, *side), {side->cell, side[1].cell}});
-    side = next;
+// Adds the three sides of a piece.
+void add_sides(const std::array<Index, 3>& corners, Index piece, Index triangle, std::vector<Side>& out) {
+  for (int k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+    out.push_back({{low, high}, piece, triangle, k});
   }
-  std::ranges::sort(out, {}, &Candidate::rank);
-  return out;
 }
+
+class Pairing {
+ public:
+  explicit Pairing(const Model& model) : mesh_(model.mesh), material_(model.mesh.triangles.size(), 0) {
+    if (!model.material_of.empty())
+      for_each_material_point(
+          model, [&](std::size_t p, const auto& point, double) { material_[point.element] = model.material_of[p]; });
+    const auto [low, high] = geometry::box_around(mesh_);
+    same_ = 1e-9 * (high - low).norm();
+  }
+
+  // The mate of each of so many pieces; those first whose triangles are `mates` of each other.
+  std::vector<Index> operator()(std::size_t pieces, std::vector<Side> sides, const std::vector<Index>& mates) const {
+    std::vector<Index> out(pieces, kNone);
+    for (const Candidate& next : candidates(std::move(sides), mates)) {
+      const auto [a, b] = next.pieces;
+      if (out[a] != kNone || out[b] != kNone) continue;
+      out[a] = b;
+      out[b] = a;
+    }
+    return out;
+  }
+
+ private:
+  // Both sides of one triangle may share an edge, at the end of a crack.
+  bool may_pair(const Side& a, const Side& b) const {
+    return a.triangle != b.triangle && material_[a.triangle] == material_[b.triangle];
+  }
+
+  Candidate candidate(const Side& a, const Side& b, const std::vector<Index>& mates) const {
+    const auto& node = mesh_.triangles[a.triangle];
+    const Vec2 &start = mesh_.nodes[node[a.corner]], &end = mesh_.nodes[node[(a.corner + 1) % 3]];
+    const bool again = !mates.empty() && mates[a.triangle] == b.triangle;
+    return {again, (end - start).norm(), 0.5 * (start + end), {a.piece, b.piece}};
+  }
+
+  // Of the edge at which a crack ends three cells meet, two of them with the crack between.
+  std::vector<Candidate> candidates(std::vector<Side> sides, const std::vector<Index>& mates) const {
+    std::vector<Candidate> out;
+    std::ranges::stable_sort(sides, {}, &Side::edge);
+    for (auto side = sides.begin(); side != sides.end();) {
+      const auto next = std::find_if(side, sides.end(), [&](const Side& other) { return other.edge != side->edge; });
+      if (next - side == 2 && may_pair(side[0], side[1])) out.push_back(candidate(side[0], side[1], mates));
+      side = next;
+    }
+    for (auto& one : out) one.rank[0] = one.again ? 0 : 1;
+    rank(out, 1, [](const Candidate& c) { return -c.length; });
+    rank(out, 2, [](const Candidate& c) { return c.place.x(); });
+    rank(out, 3, [](const Candidate& c) { return c.place.y(); });
+    std::ranges::stable_sort(out, {}, &Candidate::rank);
+    return out;
+  }
+
+  // What differs by rounding has one rank.
+  template <class Measure>
+  void rank(std::vector<Candidate>& all, int entry, const Measure& measure) const {
+    std::ranges::stable_sort(all, {}, measure);
+    for (std::size_t k = 1; k < all.size(); ++k)
+      all[k].rank[entry] = all[k - 1].rank[entry] + (measure(all[k]) - measure(all[k - 1]) > same_);
+  }
+
+  const geometry::Mesh& mesh_;
+  std::vector<Index> material_;  // of each triangle
+  double same_ = 0.0;            // metres
+};
 
 }  // namespace
 
 std::vector<Index> pair_cells(const Model& model) {
-  std::vector<Index> mate(model.cells.size(), kNone);
-  for (const auto& [rank, cells] : candidates_of(model)) {
-    if (mate[cells[0]] != kNone || mate[cells[1]] != kNone) continue;
-    mate[cells[0]] = cells[1];
-    mate[cells[1]] = cells[0];
-  }
-  return mate;
+  const Pairing pair(model);
+  std::vector<Side> whole, cut;
+  const auto& triangles = model.mesh.triangles;
+  for (Index t = 0; t < static_cast<Index>(triangles.size()); ++t) add_sides(triangles[t], t, t, whole);
+  for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
+    add_sides(model.cells[c].unknown, c, model.cells[c].element, cut);
+  return pair(model.cells.size(), std::move(cut), pair(triangles.size(), std::move(whole), {}));
 }
 
 std::vector<Patch> patches_of(const Model& model) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "cleft/assembly/assembler.hpp"
+#include "cleft/geometry/delaunay.hpp"
 #include "small_models.hpp"
 
 namespace cleft::assembly {
@@ -64,6 +65,61 @@ TEST(Patches, DoNotDependOnTheDirectionOfTheCrack) {
     return out;
   };
   EXPECT_EQ(whole(false), whole(true));
+}
+
+// Between the ends of so short a crack every node of its last triangle holds the faces together, and the edge on the
+// boundary belongs to both sides of that triangle and to nothing else.
+TEST(Patches, AreNeverBothSidesOfOneTriangle) {
+  int shut = 0;
+  for (const double x : {0.0, 1.0}) {
+    Model m;
+    m.mesh = geometry::structured_mesh({0, 0, 4, 3}, {4, 3}, geometry::Diagonal::Alternating);
+    m.cracks = {{"short", {{x + 0.5, 0.5}, {x + 2.0, 0.4}}}};
+    models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
+    const auto mate = pair_cells(m);
+    for (std::size_t c = 0; c + 1 < m.cells.size(); ++c) {
+      const auto &own = m.cells[c], &next = m.cells[c + 1];
+      shut += own.element == next.element && own.unknown == next.unknown;
+      if (mate[c] != kNone) {
+        EXPECT_NE(own.element, m.cells[mate[c]].element);
+      }
+    }
+  }
+  EXPECT_GT(shut, 0);
+}
+
+Model delaunay_square(double size, const Vec2& corner = Vec2::Zero()) {
+  Model m;
+  m.mesh = geometry::delaunay_mesh(geometry::box_outline({0, 0, 1, 1}), {size, 0.25, {}});
+  for (Vec2& node : m.mesh.nodes) node += corner;
+  models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
+  m.mate = pair_cells(m);
+  return m;
+}
+
+TEST(Patches, HoldSevenOfEightTrianglesOfADelaunayMesh) {
+  for (const double size : {0.1, 0.05, 0.02}) {
+    const Model m = delaunay_square(size);
+    const auto single = static_cast<double>(std::ranges::count(m.mate, kNone)),
+               all = static_cast<double>(m.cells.size());
+    EXPECT_NEAR(single / all, 0.125, 0.02) << size;
+  }
+}
+
+// Edges of one length, which rounds otherwise elsewhere.
+TEST(Patches, DoNotDependOnWhereTheOriginIs) {
+  const auto structured = [](const Vec2& corner) {
+    Model m;
+    m.mesh = geometry::structured_mesh({0, 0, 1, 0.7}, {7, 7}, geometry::Diagonal::Alternating);
+    std::erase_if(m.mesh.triangles, [](const auto& t) { return t[0] % 5 == 0; });  // some rectangles are halves
+    for (Vec2& node : m.mesh.nodes) node += corner;
+    models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
+    return pair_cells(m);
+  };
+  for (const Vec2& corner : {Vec2(0.1, -0.3), Vec2(31.7, 1e3 / 3.0), Vec2(-1e4 / 7.0, 1e5 / 9.0)}) {
+    EXPECT_EQ(structured(corner), structured(Vec2::Zero()));
+    EXPECT_EQ(delaunay_square(0.05, corner).mate, delaunay_square(0.05).mate);
+  }
 }
 
 TEST(Patches, AreTheSameOfARenumberedMesh) {

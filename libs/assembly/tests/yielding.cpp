@@ -47,6 +47,7 @@ class Yielding : public testing::TestWithParam<Kind> {
   }
   void expect_tangent_of_differences();
   void expect_balance();
+  void expect_to_go_on_when_restored();
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, Yielding, testing::ValuesIn(kKinds), [](const auto& k) { return k.param.name; });
 
@@ -91,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Kind{"finite", constitutive::FinitePlastic{kCone}, true},
                     Kind{"small", constitutive::SmallPlastic{kCone}, true}, Kind{"associated", kAssociated, true},
                     Kind{"hardening", constitutive::FinitePlastic{{kElastic, 8e8, 0.8, 0.7, 5e8}}, true},
+                    Kind{"viscous", constitutive::FinitePlastic{{kElastic, 8e8, 0.8, 0.7, 0.0, 3e7}}, true},
                     Kind{"j2", constitutive::FinitePlastic{constitutive::von_mises(kElastic, 1e9, 5e8)}, true}),
     [](const auto& k) { return k.param.name; });
 
@@ -116,8 +118,8 @@ void Yielding::expect_balance() {
 TEST_P(Yielding, EnergyBalancesUpToTheSizeOfTheIncrements) { expect_balance(); }
 TEST_P(PatchedYielding, EnergyBalancesUpToTheSizeOfTheIncrements) { expect_balance(); }
 
-TEST_P(Yielding, ARestoredRunGoesOnBitForBit) {
-  const Model model = block_of(GetParam().material);
+void Yielding::expect_to_go_on_when_restored() {
+  const Model model = block_of(GetParam().material, 8, NegativeSide::Left, GetParam().patches);
   LoadStepper stepper(model, {});
   ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.5));
   LoadStepper resumed(model, {});
@@ -128,6 +130,9 @@ TEST_P(Yielding, ARestoredRunGoesOnBitForBit) {
   for (std::size_t c = 0; c < model.cells.size(); ++c)
     ASSERT_EQ(stepper.state().history.plastic[c].accumulated, resumed.state().history.plastic[c].accumulated);
 }
+
+TEST_P(Yielding, ARestoredRunGoesOnBitForBit) { expect_to_go_on_when_restored(); }
+TEST_P(PatchedYielding, ARestoredRunGoesOnBitForBit) { expect_to_go_on_when_restored(); }
 
 TEST_P(Yielding, AnIncrementThatFailsLeavesNoTrace) {
   const Model model = block_of(GetParam().material);

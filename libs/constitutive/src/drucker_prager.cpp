@@ -6,9 +6,6 @@
 namespace cleft::constitutive {
 namespace {
 
-// What viscosity adds to hardening over a step.
-double drag_of(const DruckerPrager& m, double duration) { return m.viscosity > 0.0 ? m.viscosity / duration : 0.0; }
-
 // Denominators of the two multipliers: the stiffness against which the plastic strain acts.
 double apex_stiffness(const DruckerPrager& m, double drag) {
   return bulk_modulus(m.constants) * m.friction * m.dilatancy + m.hardening + drag;
@@ -45,6 +42,8 @@ bool always_returns(const DruckerPrager& m) {
   if (m.friction == 0.0) return m.cohesion > 0.0 && m.dilatancy >= 0.0;
   return m.friction > 0.0 && m.cohesion >= 0.0 && m.dilatancy > 0.0;
 }
+
+double drag_of(const DruckerPrager& m, double duration) { return m.viscosity > 0.0 ? m.viscosity / duration : 0.0; }
 
 // theory (5.1)
 double yield_function(const DruckerPrager& m, double pressure, double shear, double accumulated) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cleft/constitutive/logarithm.hpp"
-#include "cleft/constitutive/plastic.hpp"
+#include "cleft/constitutive/plastic_volume.hpp"
 #include "stress_rate.hpp"
 
 namespace cleft::constitutive {
@@ -84,6 +84,17 @@ PlasticState exponential_of(PlasticState logarithm) {
   return logarithm;
 }
 
+// C_p^-1 - 1 where C_p^-1 grows by e^by in every direction of the plane, or of space.
+void grow_in_plane(PlasticState& state, double by) {
+  const double factor = std::expm1(by);
+  for (const int k : {0, 1}) state.deformation[k] += factor * (1.0 + state.deformation[k]);
+  state.deformation[2] += factor * state.deformation[2];
+}
+void grow(PlasticState& state, double by) {
+  grow_in_plane(state, by);
+  state.deformation[3] += std::expm1(by) * (1.0 + state.deformation[3]);
+}
+
 // a_ijkl - tau_il delta_jk of theory (1.5)
 Mat4 with_geometric_part(Mat4 rate, const Mat2& tau) {
   for (int j = 0; j < 2; ++j)
@@ -144,9 +155,8 @@ PatchResponse FinitePlastic::respond(const OfPatch<Mat2>& deformation, const Pat
     out.piola[i] = tau * F_inverse.transpose();
     out.tangent[i] = pull_back(with_geometric_part(rate, tau), F_inverse);
     out.by_pressure[i] = in_plane(plus_identity(step.n_pressure[i] * n, 1.0)) * F_inverse.transpose();
-    const Eigen::RowVector4d volume(1, 0, 0, 1);
     out.pressure_rate[i] = pull_back_rate(
-        step.by_shear[i] * rate_along(n, elastic[i].shape) + past.share[i] * step.by_volume * volume, F_inverse);
+        step.by_shear[i] * rate_along(n, elastic[i].shape) + past.share[i] * step.by_volume * volume_rate(), F_inverse);
     if (!flows) continue;
     relax(out.updated[i], F_inverse, elastic[i], step.plastic_strain[i]);
     out.updated[i].accumulated += step.multiplier[i];
@@ -184,6 +194,17 @@ PlasticState FinitePlastic::mean(std::span<const WeightedState> states) {
   const auto same = [&](const WeightedState& other) { return other.state == states.front().state; };
   if (std::ranges::all_of(states, same)) return linear_mean(states);
   return exponential_of(linear_mean(states, logarithm_of));
+}
+
+void swell_in_plane(const FinitePlastic&, PlasticState& state, double by) { grow_in_plane(state, -by); }
+
+void FinitePlastic::share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share) {
+  const auto volume = [](const PlasticState& s) {
+    return log_det_of_one_plus(plane_part(s)) + std::log1p(s.deformation[3]);
+  };
+  const double apart = (volume(states[1]) - volume(states[0])) / 3.0;
+  grow(states[0], share[1] * apart);
+  grow(states[1], -share[0] * apart);
 }
 
 }  // namespace cleft::constitutive

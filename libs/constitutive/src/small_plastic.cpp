@@ -1,4 +1,4 @@
-#include "cleft/constitutive/plastic.hpp"
+#include "cleft/constitutive/plastic_volume.hpp"
 #include "small_strain.hpp"
 #include "stress_rate.hpp"
 
@@ -49,6 +49,19 @@ PatchResponse SmallPlastic::respond(const OfPatch<Mat2>& gradient, const PatchPa
     out.updated[i].accumulated += step.multiplier[i];
   }
   return out;
+}
+
+void swell_in_plane(const SmallPlastic&, PlasticState& state, double by) {
+  for (const int k : {0, 1}) state.deformation[k] += 0.5 * by;
+}
+
+void SmallPlastic::share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share) {
+  const auto volume = [](const PlasticState& s) { return s.deformation[0] + s.deformation[1] + s.deformation[3]; };
+  const double apart = (volume(states[1]) - volume(states[0])) / 3.0;
+  for (const int k : {0, 1, 3}) {
+    states[0].deformation[k] += share[1] * apart;
+    states[1].deformation[k] -= share[0] * apart;
+  }
 }
 
 double SmallPlastic::energy(const Mat2& gradient, const PlasticState& updated) const {

@@ -14,13 +14,13 @@ std::array<Row, 2> radius_rate(const CircleShape& shape) {
   return {half_a * (lean - w[1] * spin) - w[0] * along, half_a * (shear + w[0] * spin) - w[1] * along};
 }
 
-Row volume_rate() { return Row(1, 0, 0, 1); }
-
 Row along_direction(const PlaneTensor& n, const std::array<Row, 2>& strain) {
   return n.centre * volume_rate() + 2.0 * (n.radius[0] * strain[0] + n.radius[1] * strain[1]);
 }
 
 }  // namespace
+
+Eigen::RowVector4d volume_rate() { return Row(1, 0, 0, 1); }
 
 Eigen::RowVector4d rate_along(const PlaneTensor& n, const CircleShape& shape) {
   return along_direction(n, radius_rate(shape));

@@ -14,6 +14,9 @@ struct CircleShape {
   double remainder = 0.0;
 };
 
+/// tr g of the same.
+Eigen::RowVector4d volume_rate();
+
 /// n : de over dg for the rate de of the trial elastic strain, g = dF F^-1: a linear function of (g_11, g_21, g_12,
 /// g_22).
 Eigen::RowVector4d rate_along(const PlaneTensor& n, const CircleShape& shape);

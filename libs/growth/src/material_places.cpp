@@ -1,6 +1,7 @@
 #include "material_places.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace cleft::growth {
 
@@ -34,6 +35,7 @@ std::vector<Part> parts_of(const assembly::Model& model, const assembly::PointRa
     parts.push_back({{corners}, {p, p + count}});
     p += count;
   }
+  assert(p == points.last);
   return parts;
 }
 

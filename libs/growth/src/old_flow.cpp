@@ -1,6 +1,7 @@
 #include "old_flow.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "cleft/geometry/common_area.hpp"
 #include "material_places.hpp"
@@ -32,18 +33,26 @@ double area_of(const Model& model, const Part& part) {
   return area;
 }
 
-// Of each old part the area that it has in common with a new one, spread over its points like their weights.
-Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
+// Of each old part an area, spread over its points like their weights.
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts,
+              const std::function<double(const Part&)>& area) {
   Shares out;
   for (const Part& part : parts) {
-    const double common = common_area(part, now);
-    if (!(common > 0.0)) continue;
-    const double scale = common / area_of(model, part);
+    const double counts = area(part);
+    if (!(counts > 0.0)) continue;
+    const double scale = counts / area_of(model, part);
     assembly::for_each_material_point(model, part.points, [&](std::size_t p, const auto&, double own) {
       out.push_back({scale * own, plastic[p]});
     });
   }
   return out;
+}
+
+// What it has in common with a new part; the whole triangle where that, a sliver, has nothing in common with any.
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
+  const auto common = shares(model, plastic, parts, [&](const Part& part) { return common_area(part, now); });
+  return common.empty() ? shares(model, plastic, parts, [&](const Part& part) { return area_of(model, part); })
+                        : common;
 }
 
 PlasticState mean(const assembly::Material& material, const Shares& shares) {

@@ -5,6 +5,7 @@
 #include "old_faces.hpp"
 #include "old_flow.hpp"
 #include "old_hats.hpp"
+#include "patch_flow.hpp"
 
 namespace cleft::growth {
 namespace {
@@ -65,7 +66,8 @@ State transfer(const Model& from, const State& state, const Model& to) {
   out.progress.resize(0);
   out.prescribed_force = prescribed_force_on(from, state.prescribed_force, to);
   out.previous_prescribed_force = out.prescribed_force;
-  out.history.plastic = plastic_on(from, state.history.plastic, to);
+  const auto before = without_volume(from, state.displacement, state.history.plastic);
+  out.history.plastic = with_volume(to, out.displacement, plastic_on(from, before, to));
   out.history.contact = contact_on(from, state.history.contact, to);
   return out;
 }

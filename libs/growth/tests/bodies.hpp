@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "cleft/assembly/patches.hpp"
+#include "cleft/geometry/delaunay.hpp"
 #include "cleft/growth/evolution.hpp"
 
 namespace cleft::growth::bodies {
@@ -28,11 +30,14 @@ struct Square {
   double turn = 0.0;    ///< of all that is held, about the origin, on top of the rest; radians at full load
   double friction = 0.1;
   bool mortar = false;  ///< contact by multipliers instead of springs
+  bool f_bar = false;
+  double delaunay = 0.0;  ///< size of triangles, metres, of an unstructured mesh; 0: `cells`
   assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)};
 
   assembly::Model operator()(const std::vector<geometry::Crack>& grown) const {
     assembly::Model m;
-    m.mesh = geometry::structured_mesh({0, 0, 1, 1}, cells, diagonal);
+    m.mesh = delaunay > 0.0 ? geometry::delaunay_mesh(geometry::box_outline({0, 0, 1, 1}), {delaunay, 0.25, {}})
+                            : geometry::structured_mesh({0, 0, 1, 1}, cells, diagonal);
     m.cracks = grown;
     m.cut = geometry::cut(m.mesh, m.cracks);
     m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
@@ -40,9 +45,10 @@ struct Square {
     if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
     m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
     m.materials = {material};
+    if (f_bar) m.mate = assembly::pair_cells(m);
     auto& s = m.surfaces;
     s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
-    s.element_size = 1.0 / cells[0];
+    s.element_size = delaunay > 0.0 ? delaunay : 1.0 / cells[0];
     s.laws.assign(grown.size(), {1e10 / s.element_size, 1e10 / s.element_size, friction});
     s.sides.assign(grown.size(), contact::NegativeSide::Right);
     s.undeformed = m.is_small_strain();

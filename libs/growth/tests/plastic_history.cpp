@@ -61,15 +61,22 @@ VecX integrals(const Model& model, const Plastic& plastic, const Measure& measur
 
 double accumulated(const PlasticState& state) { return state.accumulated; }
 
-double log_of_plastic_volume(const PlasticState& state) {
+// Components 11, 22, 12, 33 of ln C_p^-1.
+std::array<double, 4> logarithm(const PlasticState& state) {
   const auto& [xx, yy, xy, zz] = state.deformation;
-  return std::log1p(xx + yy + xx * yy - xy * xy) + std::log1p(zz);
+  const double centre = 0.5 * (xx + yy), radius = std::hypot(0.5 * (xx - yy), xy);
+  const double mean = 0.5 * std::log1p(2.0 * centre + xx * yy - xy * xy),
+               half = 0.5 * (std::log1p(centre + radius) - std::log1p(centre - radius));
+  const double scale = radius > 0.0 ? half / radius : 0.0, lean = 0.5 * scale * (xx - yy);
+  return {mean + lean, mean - lean, scale * xy, std::log1p(zz)};
 }
 
 std::vector<Measure> what_is_kept(const assembly::Material& material) {
-  if (std::holds_alternative<FinitePlastic>(material)) return {accumulated, log_of_plastic_volume};
+  const bool finite = std::holds_alternative<FinitePlastic>(material);
   std::vector<Measure> kept{accumulated};
-  for (std::size_t k = 0; k < 4; ++k) kept.push_back([k](const PlasticState& state) { return state.deformation[k]; });
+  for (std::size_t k = 0; k < 4; ++k)
+    kept.push_back(
+        [k, finite](const PlasticState& state) { return (finite ? logarithm(state) : state.deformation)[k]; });
   return kept;
 }
 

@@ -53,7 +53,7 @@ constexpr std::array kKeys = {
     Key{"formulation", "kinematics", "text", "finite | small; default finite"},
     Key{"formulation", "tip_enrichment", "number", "radius of tip enrichment, m; 0: none; default 0"},
     Key{"formulation", "f_bar", "true or false",
-        "patches of two triangles share their change of volume; default false"},
+        "patches of two cells share their change of volume and their pressure; default false"},
     Key{"crack", "name", "text", "names its result file"},
     Key{"crack", "points", "array of points", "polyline in the reference configuration, m"},
     Key{"crack", "curve", "text", "sine"},

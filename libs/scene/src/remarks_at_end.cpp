@@ -22,7 +22,6 @@ constexpr double kInner = 0.8;    // of the contact, away from its ends
 constexpr double kFlows = 0.05;   // of the work
 constexpr double kZigzag = 30.0;  // degrees
 constexpr double kAboveRounding = 10.0;  // times it: forces that are less may be nothing else
-constexpr double kDilates = 0.1;         // dilatancy below which the volume hardly changes
 
 void about_overlap(const assembly::LoadStepper& stepper, Lines& out) {
   const auto& surfaces = stepper.model().surfaces;
@@ -70,16 +69,13 @@ void about_energy(const Scene& scene, const assembly::Energies& e, const Jumps& 
   out.push_back(text);
 }
 
-bool keeps_its_volume(const MaterialSpec& m) {
-  return m.model == "j2" || (m.model == "drucker-prager" && std::fabs(m.dilatancy) < kDilates);
-}
-
+// Whatever it asks for, flow prescribes the change of volume.
 void about_flow(const Scene& scene, const assembly::Energies& e, Lines& out) {
   const double share = e.plastic_dissipation / e.largest;
-  if (scene.f_bar || !(share > kFlows) || std::ranges::none_of(scene.materials, keeps_its_volume)) return;
+  if (scene.f_bar || !(share > kFlows)) return;
   out.push_back(
-      fmt::format("{:.2g} % of the work went into flow that hardly changes the volume, in which triangles "
-                  "lock, too stiff; compare with formulation.f_bar = true",
+      fmt::format("{:.2g} % of the work went into flow, which keeps or prescribes the volume: triangles lock "
+                  "in it, too stiff; compare with formulation.f_bar = true",
                   100.0 * share));
 }
 

@@ -248,13 +248,20 @@ TEST(RemarksAtEnd, EnergyThatIsNotAccountedForIsToldWithItsShare) {
   EXPECT_EQ(at_end({"loading.steps=10"}, stretched), "");
 }
 
-TEST(RemarksAtEnd, FlowThatKeepsTheVolumeLocksTriangles) {
-  const std::string flows =
-      replaced(kPlain, "model = \"hencky\"", "model = \"j2\"\nyield_stress = 1e7\nhardening = 1e8") +
-      "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -0.0008\n[loading]\nsteps = 20\n";
+TEST(RemarksAtEnd, FlowLocksTrianglesWhetherItKeepsTheVolumeOrDilates) {
+  const auto made_of = [](const std::string& material) {
+    return replaced(kPlain, "model = \"hencky\"", material) +
+           "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -0.0008\n[loading]\nsteps = 20\n";
+  };
+  const std::string cone =
+      made_of("model = \"drucker-prager\"\ncohesion = 1e7\nfriction = 0.2\ndilatancy = 0.2\nhardening = 1e8");
+  const std::string flows = made_of("model = \"j2\"\nyield_stress = 1e7\nhardening = 1e8");
+  EXPECT_NE(at_end({}, cone).find("% of the work went into flow"), std::string::npos);
+  EXPECT_EQ(at_end({"formulation.f_bar=true"}, cone).find("into flow"), std::string::npos);
   const std::string locked = at_end({}, flows);
-  EXPECT_NE(locked.find("% of the work went into flow that hardly changes the volume"), std::string::npos) << locked;
-  EXPECT_EQ(at_end({"formulation.f_bar=true"}, flows).find("hardly changes"), std::string::npos);
+  EXPECT_NE(locked.find("% of the work went into flow, which keeps or prescribes the volume"), std::string::npos)
+      << locked;
+  EXPECT_EQ(at_end({"formulation.f_bar=true"}, flows).find("into flow"), std::string::npos);
   EXPECT_EQ(at_end({"material.yield_stress=1e9"}, flows), "") << "elastic";
 }
 

@@ -34,8 +34,8 @@ assembly::Model TornBody::torn(const assembly::Model& model, const std::vector<P
     for (const Index c : piece.cells)
       for (Index& unknown : out.cells[c].unknown)
         unknown = piece.first + static_cast<Index>(std::ranges::find(piece.unknowns, unknown) - piece.unknowns.begin());
-  const Piece& last = pieces.back();
-  out.unknowns.nodes = out.unknowns.count = last.first + static_cast<Index>(last.unknowns.size());
+  for (const auto& piece : pieces) out.unknowns.count += static_cast<Index>(piece.unknowns.size());
+  out.unknowns.nodes = out.unknowns.count;
   return out;
 }
 
@@ -74,7 +74,8 @@ TornBody::Matrix TornBody::tangent(const Piece& piece) const {
 }
 
 bool TornBody::difference(double factor, std::vector<Quotients>& out) {
-  for (int column = 0; column < kMost; ++column) {
+  const int columns = pieces_.empty() ? 0 : std::ranges::max(pieces_, {}, &Piece::components).components();
+  for (int column = 0; column < columns; ++column) {
     std::array<VecX, kOffsets.size()> force;
     for (std::size_t k = 0; k < kOffsets.size(); ++k) {
       VecX there = u_;

@@ -139,6 +139,15 @@ TEST(CheckTangent, JudgesPatchesAsOnePiece) {
   }
 }
 
+// All triangles in one: the body has neither cells nor patches.
+TEST(CheckTangent, JudgesABodyThatLiesInTheBallOfATip) {
+  Subject body("block", {"mesh.box=[0,0,0.04,0.02]", "mesh.cells=[2,2]", "formulation.tip_enrichment=0.02",
+                         "crack.main.points=[[0.0,0.0093],[0.025,0.0102]]"});
+  ASSERT_TRUE(body.model().cells.empty());
+  const TangentReport report = body.at(body.state().displacement);
+  EXPECT_GT(report.blocks.at("assembled").entries, 0);
+}
+
 // The gaps are 4e-8 of an element: a step of the usual size would leave the branch.
 // Contact points are judged without the bulk around them, also where that is made of a tip's points that remember.
 TEST(CheckTangent, JudgesYieldingBodiesAndEnrichedTips) {

@@ -9,7 +9,9 @@
 /// and nodal forces do the work of its stress on the rate of Fbar_i: they derive from sum V_i psi(Fbar_i) wherever the
 /// law derives from psi, the balance of energies closes as without patches, and the matrix is symmetric wherever the
 /// law's tangent is. Plastic laws return both cells to one pressure (constitutive/patch.hpp), so that flow prescribes
-/// one change of volume a patch.
+/// one change of volume a patch. So do laws whose pressure is one of the volume alone, Hencky's and linear elasticity;
+/// the Neo-Hookean one has mu (|Fbar_i|^2 - 2)/3 in its mean stress, which stays each cell's own. The triangles in the
+/// ball of a tip with branch functions have no cells: they are in no patch, and lock as they do without.
 #pragma once
 
 #include "cleft/assembly/model.hpp"
@@ -21,8 +23,9 @@ using constitutive::OfPatch;
 
 /// For every cell the other one of its patch, or kNone. The edges between two cells of one material and one side of all
 /// cracks become patches from the longest on, each unless one of its cells is in a patch already; of edges of one
-/// length that of the least x, then y, comes first. In a structured mesh patches are the rectangles, and what a crack
-/// leaves of a rectangle on each of its sides.
+/// length (to 1e-9 of the body's extent) that of the least x, then y, comes first. Edges that a patch would have
+/// without cracks come before all others, so that a crack that grows only parts the patches that it cuts. In a
+/// structured mesh patches are the rectangles, and what a crack leaves of a rectangle on each of its sides.
 std::vector<Index> pair_cells(const Model& model);
 
 /// Two cells as one element.

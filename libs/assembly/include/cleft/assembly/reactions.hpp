@@ -15,7 +15,8 @@ namespace cleft::assembly {
 /// boundaries counts for each by 1/m) and the nominal stress P of the triangle behind: what the traction there exerts
 /// on the node, and a part of what remains by length. So a uniform stress gives every boundary exactly its traction by
 /// its length, the parts add up to f, and the order of the boundaries does not matter. Behind an edge that a crack cuts
-/// or a ball of branch functions reaches P is not taken; without any edges the parts are equal.
+/// or a ball of branch functions reaches P is not taken; without any edges the parts are equal. P of a cell in a patch
+/// is that of its law at Fbar, without what (1.8) hands to and fro between both cells: that is part of what remains.
 class Reactions {
  public:
   Reactions(const Model& model, const std::vector<Constraint>& constraints);

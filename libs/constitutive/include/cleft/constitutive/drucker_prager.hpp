@@ -55,6 +55,9 @@ DruckerPrager von_mises(const Lame& constants, double yield_stress, double harde
 /// plasticity) or comes to the stress by hardening without plastic strain.
 bool always_returns(const DruckerPrager& material);
 
+/// What viscosity adds to hardening over a step, Pa: viscosity/duration; infinite over a step of no duration.
+double drag_of(const DruckerPrager& material, double duration);
+
 /// |s| + beta p - alpha(accumulated), Pa: negative inside.
 double yield_function(const DruckerPrager& material, double pressure, double shear, double accumulated);
 

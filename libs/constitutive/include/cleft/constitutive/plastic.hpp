@@ -66,10 +66,14 @@ struct FinitePlastic : DruckerPrager {
   /// (diag(4, 1/4) and diag(1/4, 4) to the determinant 4.5). What all have in common is the mean to the last bit. Needs
   /// C^p^-1 positive definite, as it always is.
   static PlasticState mean(std::span<const WeightedState> states);
+
+  /// Gives both points of a patch the mean of their ln det C^p^-1 by volume, which is all that their common pressure
+  /// knows of it; the other parts of ln C^p^-1 stay. To the last bit what is one for both already.
+  static void share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share);
 };
 
 /// Small strain, eps = sym(H) of the displacement gradient H. History is the plastic strain; `piola` is the Cauchy
-/// stress, and its tangent has both minor symmetries. The members are those of FinitePlastic; the mean is that of the
+/// stress, and its tangent has both minor symmetries. The members are those of FinitePlastic; means are those of the
 /// plastic strain.
 struct SmallPlastic : DruckerPrager {
   Response respond(const Mat2& gradient, const PlasticState& committed, PlasticState& updated,
@@ -81,6 +85,7 @@ struct SmallPlastic : DruckerPrager {
   double out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const;
   ContinuumTangent continuum_tangent(const Mat2& gradient, const PlasticState& updated) const;
   static PlasticState mean(std::span<const WeightedState> states) { return linear_mean(states); }
+  static void share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share);
 };
 
 }  // namespace cleft::constitutive

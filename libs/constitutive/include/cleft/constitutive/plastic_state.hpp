@@ -21,7 +21,7 @@ struct PlasticState {
 
   /// Sum of the plastic multipliers. Off the apex it is the sum of |deviatoric plastic strain increment| (Frobenius
   /// norm), that is sqrt(3/2) times the equivalent plastic strain of J2 plasticity; on the apex of a cone it is the
-  /// volumetric plastic strain divided by the dilatancy.
+  /// volumetric plastic strain divided by the dilatancy. In a patch that is so of the mean of both points by volume.
   double accumulated = 0.0;
 
   bool operator==(const PlasticState&) const = default;
