@@ -54,7 +54,7 @@ void print_critical(const std::vector<scene::CriticalPoint>& points) {
   };
   if (!limits.empty()) print("limit points", told(limits));
   if (!bifurcations.empty())
-    print("bifurcation", told(bifurcations) + ": another path branches off; an imperfection of the body chooses it");
+    print("bifurcation", told(bifurcations) + ": the determinant changes its sign; another path may branch off");
 }
 
 // The phases that take most, and what is left.

@@ -132,6 +132,22 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   std::filesystem::remove_all(parts);
 }
 
+// At 0.46 of the load, falling, a point of contact opens, and the coordinate of the path has to go back.
+TEST(Snap, GoesOnWhereAContactThatOpensBendsThePath) {
+  const auto scene =
+      scene_of("s_crack", {"loading.steps=50", "loading.control=path", "crack.main.contact.method=mortar"});
+  const auto model = scene::build_model(scene);
+  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  double largest = 0.0;
+  while (stepper.state().load > 0.42 || stepper.state().load == largest) {
+    const auto outcome = stepper.advance();
+    ASSERT_TRUE(std::holds_alternative<assembly::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_LT(std::get<assembly::Step>(outcome).number, 150);
+    largest = std::max(largest, stepper.state().load);
+  }
+  EXPECT_NEAR(largest, 0.677, 0.002);
+}
+
 // --- plateaus ---------------------------------------------------------------------------------------------------
 
 // sigma_yy at which a block of cohesion alpha, friction beta and dilatancy b flows in plane strain with a free side. In
@@ -150,13 +166,15 @@ void PrintTo(const Collapse& collapse, std::ostream* out) { *out << collapse.nam
 
 class Plateau : public testing::TestWithParam<Collapse> {};
 
+double steps_of(const Collapse& c) { return hard_scene("plateau", c.overrides).loading.steps; }
+
 TEST_P(Plateau, EndsTheRunSoonAtTheLoadThatTheBodyBears) {
   const Collapse& c = GetParam();
   const Ran ran = run(hard_scene("plateau", c.overrides));
   ASSERT_EQ(ran.result.end, RunResult::End::Failed);
   EXPECT_EQ(ran.result.failure.kind, assembly::FailureKind::Plateau) << assembly::describe(ran.result.failure);
   EXPECT_EQ(ran.result.failure.place, fmt::format("no load above {:.6g}", std::ranges::max(ran.load)));
-  EXPECT_LE(ran.result.increments, 200);
+  EXPECT_LE(ran.result.increments, c.limit * steps_of(c) + 15) << "hardly more than those up to the plateau";
   Case table(fmt::format("plateau, {}", c.name));
   table.compare("largest load", std::ranges::max(ran.load), exact(c.limit), within(1e-3 * c.limit, "as asked"));
 }
@@ -182,6 +200,79 @@ INSTANTIATE_TEST_SUITE_P(
                     Collapse{"J2, patches", kJ2, j2_with("formulation.f_bar=true")},
                     Collapse{"J2, pulled", kJ2, j2_with("traction=[{on=\"top\", value=[0,600]}]")},
                     Collapse{"in kilometres", kCone, {"mesh.box=[0,0,1e-3,1e-3]"}}));
+
+// Stopped on the plateau a run goes on to the same end.
+TEST(Plateau, IsResumedBitForBit) {
+  const auto scene = hard_scene("plateau");
+  const std::string whole = scratch("whole_plateau"), parts = scratch("parts_plateau");
+  scene::RunOptions options;
+  options.directory = whole;
+  (void)scene::run(scene, options);
+  options.directory = parts;
+  std::atomic<bool> stop = false;
+  options.stop = &stop;
+  options.observer = [&](const scene::Progress& p) { stop = p.iteration == 0; };  // after every increment
+  RunResult result;
+  do {
+    stop = false;
+    result = scene::run(scene, options);
+    options.resume = true;
+  } while (result.end == RunResult::End::Stopped);
+  EXPECT_EQ(result.failure.kind, assembly::FailureKind::Plateau);
+  EXPECT_EQ(scene::read_bytes(parts + "/history.csv"), scene::read_bytes(whole + "/history.csv"));
+  std::filesystem::remove_all(whole);
+  std::filesystem::remove_all(parts);
+}
+
+// An elastic body whose load hardly rises while its boundary moves far.
+TEST(Plateau, IsNoneOfIncrementsOfTheLoad) {
+  const Ran ran = run(scene_of("plain", {"loading.control=path", "loading.steps=10",
+                                         "boundary.top.amplitude=[[0,0],[0.5,0.01],[0.50004,0.5],[1,1]]"}));
+  EXPECT_EQ(ran.result.end, RunResult::End::Done) << assembly::describe(ran.result.failure);
+}
+
+// --- where no path is needed -----------------------------------------------------------------------------------------
+
+struct Needless {
+  const char* scene;
+  Overrides overrides;
+};
+void PrintTo(const Needless& needless, std::ostream* out) { *out << needless.scene; }
+
+class NoPath : public testing::TestWithParam<Needless> {};
+
+// In increments that are far too long, where forces bend within them and iterations need a second guess.
+TEST_P(NoPath, IsLoadControlToTheLastBit) {
+  const Needless& n = GetParam();
+  std::array<std::string, 2> rows;
+  for (const int path : {0, 1}) {
+    auto overrides = n.overrides;
+    overrides.emplace_back(path ? "loading.control=path" : "loading.control=load");
+    const Solved solved = solve(scene_of(n.scene, overrides));
+    for (const auto& name : solved.history.header)
+      if (!name.starts_with("determinant") && !name.starts_with("least_pivot"))
+        for (const double value : solved.history.column(name)) rows[path] += fmt::format("{} ", value);
+  }
+  EXPECT_EQ(rows[0], rows[1]);
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, NoPath,
+                         testing::Values(Needless{"squeezed", {"loading.steps=10"}},
+                                         Needless{"drag", {"loading.steps=2"}}, Needless{"drag", {"loading.steps=5"}},
+                                         Needless{"rotation", {"loading.steps=5"}},
+                                         Needless{"block", {"loading.steps=10"}}));
+
+// A body carried off as a whole before it is loaded: its energies are rounding, and tell of no jump.
+TEST(NoPath, JumpsWhereABodyIsCarriedOff) {
+  for (const char* control : {"load", "path"}) {
+    const Ran ran =
+        run(hard_scene("roof", {fmt::format("loading.control={}", control), "loading.steps=50",
+                                "boundary.support.uy=10", "boundary.support.amplitude=[[0,0],[0.1,1],[1,1]]",
+                                "traction=[{on=\"top\", value=[0,-900], amplitude=[[0,0],[0.1,0],[1,1]]}]"}));
+    EXPECT_EQ(ran.result.end, RunResult::End::Done) << assembly::describe(ran.result.failure);
+    EXPECT_EQ(ran.result.jumps.increments, 0);
+    EXPECT_EQ(ran.result.cuts, 0);
+  }
+}
 
 // --- bifurcations -----------------------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@
 #include "contact_step.hpp"
 #include "loose_parts.hpp"
 #include "places.hpp"
+#include "prescription.hpp"
 #include "rounding.hpp"
 
 namespace cleft::assembly {
@@ -119,33 +120,6 @@ std::string remedy(const Model& model, int halved) {
   const std::string all = softer(model, model.cracks.empty() ? "" : " at the crack");
   return halved > 0 && has_springs(model) ? all + "; or, where corners pass each other, contact.method = \"mortar\""
                                           : all;
-}
-
-// What the load prescribes. Beyond load 1, where amplitudes end, both go on as they came there: iterates of a path may
-// pass it.
-struct Prescription {
-  VecX dead, displacement;
-};
-
-Prescription prescription_at(const Model& model, const std::vector<Constraint>& constraints, double load) {
-  return {dead_force(model, load), prescribed_values(model, constraints, load)};
-}
-
-// By the load; loads are piecewise smooth, and only the iteration's direction depends on this.
-Prescription rate_of(const Model& model, const std::vector<Constraint>& constraints, double load) {
-  constexpr double kStep = 1e-6;
-  const double above = std::min(load + kStep, 1.0), below = above - 2.0 * kStep;
-  const auto upper = prescription_at(model, constraints, above), lower = prescription_at(model, constraints, below);
-  return {(upper.dead - lower.dead) / (above - below), (upper.displacement - lower.displacement) / (above - below)};
-}
-
-Prescription prescription(const Model& model, const std::vector<Constraint>& constraints, double load) {
-  if (load <= 1.0) return prescription_at(model, constraints, load);
-  auto out = prescription_at(model, constraints, 1.0);
-  const auto rate = rate_of(model, constraints, 1.0);
-  out.dead += (load - 1.0) * rate.dead;
-  out.displacement += (load - 1.0) * rate.displacement;
-  return out;
 }
 
 // Where flow goes on without resistance the matrix is singular, and a load that rises along the path with it: the least
@@ -316,7 +290,7 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
       change_of_load += c.load;
     };
     if (factors != Factors::None) {
-      it.pivots = pivots_of_body(solver, assembler);
+      if (factors == Factors::Regular) it.pivots = pivots_of_body(solver, assembler);
       if (along_path) system.follow(state.progress, by_load);
       du.setZero(u.size());
       take(system.solve(rhs));

@@ -33,15 +33,16 @@ double last_motion(const Model& model, const State& state) {
   return farthest(model, state.displacement - state.previous_displacement);
 }
 
-double unexplained_part(const Energies& before, const Energies& after) {
+double unexplained_part(const Energies& before, const Energies& after, double least) {
   constexpr double kOfLargest = 2e-3;
   const double missed = std::fabs(after.imbalance() - before.imbalance());
-  return before.largest > 0.0 && missed > kOfLargest * after.largest ? missed / after.change(before) : 0.0;
+  const bool counts = before.largest > 0.0 && missed > std::max(least, kOfLargest * after.largest);
+  return counts ? missed / after.change(before) : 0.0;
 }
 
 bool unloads_elastically(const State& before, const std::vector<constitutive::PlasticState>& plastic, double load,
-                         bool stable) {
-  if (!stable || load >= before.load) return false;
+                         bool positive) {
+  if (!positive || load >= before.load) return false;
   const auto& past = before.history.plastic;
   bool flowed = false;
   for (std::size_t p = 0; p < plastic.size(); ++p) {

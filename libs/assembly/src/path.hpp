@@ -20,13 +20,15 @@ VecX path_progress(const Model& model, const State& before, const VecX& displace
 double last_motion(const Model& model, const State& state);
 
 /// Part of the energy that changes its kind in an increment, but the first, which the energies leave unexplained; 0
-/// where it is below 2e-3 of the largest energy. What the body gives away in a jump from one branch of solutions to
-/// another is no work of any force: there 0.3 and more are seen, in increments that are merely long up to 0.1.
-double unexplained_part(const Energies& before, const Energies& after);
+/// where it is below `least` (J/m, rounding) or 2e-3 of the largest energy. What the body gives away in a jump from one
+/// branch of solutions to another is no work of any force: there 0.3 and more are seen, in increments that are merely
+/// long 0.1, and more where contact begins or turns within them.
+double unexplained_part(const Energies& before, const Energies& after, double least);
 
 /// Whether an increment of a body that has flowed before unloads it elastically: the load falls, nothing flows, and the
-/// equilibrium is stable. Beyond a limit load such a way back is always open, and is not the path that led there.
+/// determinant of the tangent matrix is `positive`, as where the body is stable (or has lost its stability twice).
+/// Beyond a limit load such a way back is always open, and is not the path that led there.
 bool unloads_elastically(const State& before, const std::vector<constitutive::PlasticState>& plastic, double load,
-                         bool stable);
+                         bool positive);
 
 }  // namespace cleft::assembly

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "commit_contact.hpp"
 #include "flow.hpp"
 #include "lost_contact.hpp"
 #include "path.hpp"
+#include "prescription.hpp"
 #include "targets.hpp"
 #include "work_error.hpp"
 
@@ -74,8 +76,7 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
     return solve_increment(model_, constraints_, state_, goal, newton, assembler_, solver_, observer);
   };
   Increment out = attempt();
-  // Where contact changes the last increment is no guide. On a path it is the path that goes on.
-  if (!out.failure || !out.extrapolated || controls_.control == Control::Path) return out;
+  if (!out.failure || !out.extrapolated) return out;  // where contact changes the last increment is no guide
   newton.extrapolate = false;
   Increment again = attempt();
   return again.failure ? out : again;
@@ -94,9 +95,22 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
   return solve({.load = mark, .guess = &guess}, observer);
 }
 
-// From a kink the path leads no one knows where.
+// Past a kink of the path, as where a point of contact opens, its coordinate may have to go back: then the load leads,
+// the way that it went.
+std::optional<Increment> LoadStepper::lead_by_load(const IterationObserver& observer) {
+  const double way = state_.load > state_.previous_load ? 1.0 : -1.0;
+  for (double part = 1.0 / 16.0; part > kShortest; part *= 0.125) {
+    Increment out = solve({.load = state_.load + way * part * planned()}, observer);
+    if (!out.failure) out.failure = refuse(out);
+    if (!out.failure && out.load <= next_mark()) return out;
+  }
+  return std::nullopt;
+}
+
+// From a kink the path leads no one knows where, and nowhere in a hold.
 bool LoadStepper::knows_path() const {
-  return controls_.control == Control::Path && state_.progress.size() > 0 && !turns_at(controls_, state_.load);
+  return controls_.control == Control::Path && !model_.is_linear() && state_.progress.size() > 0 &&
+         !turns_at(controls_, state_.load) && changes(rate_of(model_, constraints_, state_.load));
 }
 
 // Whether the next increment along the path is longer than this part of the longest so far.
@@ -114,6 +128,8 @@ bool LoadStepper::shorten(double taken, double least) {
   if (!knows_path()) return place_.step >= least;
   const double last = std::fabs(state_.load - state_.previous_load);
   place_.stretch = last > 0.0 ? std::min(place_.step / last, kLongest) : 1.0;
+  place_.longest = last_motion(model_, state_);
+  place_.plateau = {};
   return true;
 }
 
@@ -160,18 +176,9 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
   return std::nullopt;
 }
 
-// Where the path is followed an increment that has jumped off it is dropped while a shorter one might not.
-std::optional<Step> LoadStepper::commit_unless_jumped(const Increment& increment, bool easy, bool goes_on) {
-  const bool along_path = place_.stretch > 0.0;
-  if (!(along_path ? is_longer(kJumpsNot) : knows_path()))
-    return along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
-  const Committed before{state_, place_, pairs_};
-  auto out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
-  if (!out || unexplained_part(before.state.energies, state_.energies) <= kMayHaveJumped) return out;
-  go_back_to(before);
-  (void)shorten(increment.load - state_.load, 0.0);
-  return std::nullopt;
-}
+// Whether an increment that has jumped to another branch is dropped: on a path while a shorter one might not jump, and
+// of the load where the path can be tried.
+bool LoadStepper::is_guarded() const { return place_.stretch > 0.0 ? is_longer(kJumpsNot) : knows_path(); }
 
 void LoadStepper::go_back_to(const Committed& before) {
   state_ = before.state;
@@ -190,7 +197,9 @@ Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
   const double wanted = cut_short(increment);
   Step out = commit(increment);
   end_account();
-  const double gain = state_.load - state_.previous_load;
+  const double gain = state_.load - state_.previous_load, moved = last_motion(model_, state_);
+  place_.longest = std::max(place_.longest, moved);
+  place_.plateau.follow(state_.load, moved, farthest(model_, state_.displacement));
   if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
     place_.stretch = 0.0;
     place_.step = std::clamp(gain, kRises * planned(), planned());
@@ -205,8 +214,11 @@ Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
 std::optional<Failure> LoadStepper::refuse(const Increment& increment) const {
   if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
   if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
-  const bool stable = !increment.iterations.back().pivots.negative_determinant;
-  if (!unloads_elastically(state_, assembler_.plastic(), increment.load, stable)) return std::nullopt;
+  const auto& pivots = increment.iterations.back().pivots;
+  const auto slips = [](const contact::Pair& pair) { return pair.state.traction.status == contact::Status::Slip; };
+  const bool positive = pivots && !pivots->negative_determinant;
+  if (std::ranges::any_of(assembler_.pairs(), slips)) return std::nullopt;
+  if (!unloads_elastically(state_, assembler_.plastic(), increment.load, positive)) return std::nullopt;
   return Failure{FailureKind::Unloads, "", "hardening, or a finer mesh: this is where the path of flow ends"};
 }
 
@@ -233,24 +245,54 @@ std::optional<Failure> LoadStepper::plateau() const {
                  "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
 }
 
+// Whether there is anything left to try after a failure: something shorter or, after all, what seemed to jump.
+bool LoadStepper::try_again(double taken, double least, Tries& tries) {
+  ++tries.cuts;
+  if (shorten(taken, least)) return true;
+  if (!tries.dropped) return false;
+  place_ = *std::exchange(tries.dropped, std::nullopt);
+  tries.believes = true;
+  return true;
+}
+
+// Commits an increment unless it is inaccurate or has jumped; then what is to be tried instead is known.
+std::optional<Step> LoadStepper::keep(const Increment& increment, bool easy, bool goes_on, Tries& tries) {
+  const bool along_path = place_.stretch > 0.0, guarded = tries.led || (!tries.believes && is_guarded());
+  const auto before = guarded ? std::optional(Committed{state_, place_, pairs_}) : std::nullopt;
+  const Energies energies = state_.energies;
+  auto out = along_path ? commit_on_path(increment, easy) : commit_if_accurate(increment, easy, goes_on);
+  if (!out) return out;
+  const double unexplained = unexplained_part(energies, state_.energies, rounding_of_energy());
+  out->jumped = unexplained > kHasJumped;
+  if (!guarded || unexplained <= (along_path ? kMayHaveJumped : kHasJumped)) return out;
+  go_back_to(*before);
+  if (!along_path) tries.dropped = place_;
+  ++tries.cuts;
+  (void)shorten(increment.load - state_.load, 0.0);
+  return std::nullopt;
+}
+
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
   if (auto end = plateau()) return *end;
   const bool known = goes_on();
   if (!known) place_.step = std::min(place_.step, planned());
   const double least =
       std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
-  int cuts = 0, iterations_before = 0;
+  Tries tries;
+  int iterations_before = 0;
   double before = event.before;
   for (;;) {
     const bool along_path = place_.stretch > 0.0;
-    const double end = next_end(before), taken = end - state_.load;
+    const double end = next_end(before), taken = end - state_.load, size = along_path ? place_.stretch : taken;
     Increment increment = along_path ? try_path(observer) : solve({end}, observer);
     if (!increment.failure) increment.failure = refuse(increment);
     if (increment.failure) {
-      const double size = along_path ? place_.stretch : taken;
-      ++cuts;
-      if (shorten(taken, least)) continue;
-      return given_up(*increment.failure, increment.load, size);
+      if (try_again(taken, least, tries)) continue;
+      if (along_path && !tries.led) {
+        tries.led = true;
+        if (auto led = lead_by_load(observer)) increment = std::move(*led);
+      }
+      if (increment.failure) return given_up(*increment.failure, increment.load, size);
     }
     const double flow = along_path ? 0.0 : largest_flow(model_, state_.history.plastic, assembler_.plastic());
     if (flow > controls_.max_flow && taken > kShortForFlow * planned()) {
@@ -267,18 +309,16 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
         before = *lower;
         continue;
       }
-    const bool easy = increment.iterations.size() <= kEasyIterations && cuts == 0 && iterations_before == 0 &&
+    const bool easy = increment.iterations.size() <= kEasyIterations && tries.cuts == 0 && iterations_before == 0 &&
                       flow <= 0.5 * controls_.max_flow;
     const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
-    const Energies energies = state_.energies;
-    std::optional<Step> out = commit_unless_jumped(increment, easy, known);
+    std::optional<Step> out = keep(increment, easy, known, tries);
     if (!out) {
       iterations_before += static_cast<int>(increment.iterations.size());
       continue;
     }
-    out->jumped = unexplained_part(energies, state_.energies) > kHasJumped;
     out->is_output = is_output;
-    out->cuts = cuts;
+    out->cuts = tries.cuts;
     out->iterations_before = iterations_before;
     return *out;
   }
@@ -326,11 +366,13 @@ std::variant<Step, Failure> LoadStepper::settle(const IterationObserver& observe
 }
 
 // Forces at rounding do work, too, where a body moves without strain: an imbalance below that tells nothing.
-void LoadStepper::end_account() {
+double LoadStepper::rounding_of_energy() const {
   constexpr double kRounding = 1e2 * std::numeric_limits<double>::epsilon();
   const double moved = farthest(model_, state_.displacement);
-  state_.energies.end_increment(kRounding * model_.stiffness() * moved * moved);
+  return kRounding * model_.stiffness() * moved * moved;
 }
+
+void LoadStepper::end_account() { state_.energies.end_increment(rounding_of_energy()); }
 
 Step LoadStepper::commit(const Increment& increment) {
   const double load = increment.load;
@@ -366,11 +408,6 @@ Step LoadStepper::commit(const Increment& increment) {
   state_.load = load;
   place_.furthest = std::max(place_.furthest, load);
   state_.displacement = increment.displacement;
-  if (controls_.control == Control::Path) {
-    const double moved = last_motion(model_, state_);
-    place_.longest = std::max(place_.longest, moved);
-    place_.plateau.follow(load, moved, farthest(model_, state_.displacement));
-  }
   return {.number = ++place_.number,
           .load = load,
           .iterations = increment.iterations,

@@ -172,17 +172,40 @@ TEST(Path, EndsOnAPlateauWithTheLoadThatStaysAndTheMotionThatGoesOn) {
 // An iterate beyond load 1 asks the loads how they would go on.
 TEST(Path, PassesLoadOneOnItsWayThere) {
   Model model = bar(2.0);
-  model.materials = {constitutive::Hencky{constitutive::lame(kBarYoung * 1.34, kPoisson)}};  // limit load 1.05
+  model.materials = {constitutive::Hencky{constitutive::lame(kBarYoung * 1.66, kPoisson)}};  // limit load 1.3
   model.dead_loads = {[load = model.dead_loads[0]](double at) { return load(std::fmin(at, 1.0)); }};
   LoadStepper stepper(model, along_path(4));
   for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   StepPlace place = stepper.place();
-  place.stretch = 1.2;  // of a path that softens: to a load of 1.03
+  place.stretch = 2.0;  // to a load of about 1.06
   stepper.restore(stepper.state(), place);
   const auto outcome = stepper.advance();
   ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<Failure>(outcome));
   EXPECT_EQ(std::get<Step>(outcome).cuts, 0);
   EXPECT_EQ(stepper.state().load, 1.0);
+}
+
+// Sent back the way it came a path finds nothing but elastic unloading, and says so.
+TEST(Path, EndsWhereTheBodyOnlyUnloads) {
+  Model model = bar();
+  const constitutive::DruckerPrager j2 = constitutive::von_mises(constitutive::lame(kBarYoung, kPoisson), 100.0, 10.0);
+  model.materials = {constitutive::SmallPlastic{j2}};
+  LoadStepper stepper(model, along_path(200));
+  while (stepper.state().history.plastic[0].accumulated == 0.0)
+    ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  State state = stepper.state();
+  StepPlace place = stepper.place();
+  place.stretch = 1.0;
+  place.longest = (state.displacement - state.previous_displacement).cwiseAbs().maxCoeff();
+  state.progress = -state.progress;
+  state.previous_displacement += 2.0 * (state.displacement - state.previous_displacement);
+  state.previous_load += 2.0 * (state.load - state.previous_load);
+  const double load = state.load;
+  stepper.restore(std::move(state), place);
+  const auto outcome = stepper.advance();
+  ASSERT_TRUE(std::holds_alternative<Failure>(outcome));
+  EXPECT_EQ(std::get<Failure>(outcome).kind, FailureKind::Unloads) << describe(std::get<Failure>(outcome));
+  EXPECT_EQ(stepper.state().load, load);
 }
 
 // Snap-back: both the load and the displacement at the boundary fall, and rise again.

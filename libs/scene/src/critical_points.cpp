@@ -11,9 +11,6 @@ using Kind = CriticalPoint::Kind;
 struct Course {
   std::vector<double> step, load, sign;
   std::size_t size() const { return load.size(); }
-  CriticalPoint point(Kind kind, std::size_t before, std::size_t row) const {
-    return {kind, load[row], load[before], std::lround(step[row])};
-  }
 };
 
 // Rows from which the load goes the other way. What changes it by less than 1e-6 of the largest is no way.
@@ -46,13 +43,19 @@ std::vector<CriticalPoint> critical_points(const CsvTable& history) {
   const Course c{history.column("step"), history.column("load"), history.column("determinant_sign")};
   const auto limits = turns(c);
   std::vector<CriticalPoint> out;
-  for (std::size_t k = 0; k < limits.size(); ++k)
-    out.push_back(c.point(k % 2 == 0 ? Kind::Maximum : Kind::Minimum, limits[k] > 0 ? limits[k] - 1 : 0, limits[k]));
-  std::size_t known = 0;
-  for (std::size_t k = 1; k < c.size(); ++k) {
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const std::size_t row = limits[k];
+    out.push_back({k % 2 == 0 ? Kind::Maximum : Kind::Minimum, c.load[row], row > 0 ? c.load[row - 1] : 0.0,
+                   std::lround(c.step[row])});
+  }
+  CriticalPoint last{Kind::Bifurcation};  // row whose sign is known: the body at rest is stable
+  double sign = 1.0;
+  for (std::size_t k = 0; k < c.size(); ++k) {
     if (std::isnan(c.sign[k])) continue;
-    if (c.sign[known] * c.sign[k] < 0.0 && !is_near(limits, k)) out.push_back(c.point(Kind::Bifurcation, known, k));
-    known = k;
+    const CriticalPoint now{Kind::Bifurcation, c.load[k], last.load, std::lround(c.step[k])};
+    if (sign * c.sign[k] < 0.0 && !is_near(limits, k)) out.push_back(now);
+    last = now;
+    sign = c.sign[k];
   }
   std::ranges::stable_sort(out, {}, &CriticalPoint::step);
   return out;

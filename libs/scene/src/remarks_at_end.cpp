@@ -56,18 +56,17 @@ void about_pressure(const Scene& scene, const assembly::LoadStepper& stepper, Li
   }
 }
 
-// What lets energy go missing: increments that are too long or, no matter how long, jumps.
 void about_energy(const Scene& scene, const assembly::Energies& e, const Jumps& jumps, Lines& out) {
   const double off = e.relative_imbalance();
-  const std::string missing = fmt::format("{:.2g} % of the energy are not accounted for", 100.0 * off);
+  if (off < kUnbalanced) return;
+  std::string text = fmt::format("{:.2g} % of the energy are not accounted for; ", 100.0 * off);
   if (jumps.increments > 0)
-    out.push_back(fmt::format(
-        "the body has jumped to another equilibrium {}, at load {:.6g}: {}; {}",
-        jumps.increments == 1 ? "once" : fmt::format("{} times, the first", jumps.increments), jumps.load, missing,
-        scene.loading.control == assembly::Control::Path ? "smaller increments (loading.steps)"
-                                                         : "loading.control = \"path\" follows what lies between"));
-  else if (off >= kUnbalanced)
-    out.push_back(missing + "; smaller increments (loading.steps)");
+    text += fmt::format("an increment to load {:.6g} is too long, or the body jumps there to another equilibrium; ",
+                        jumps.load);
+  text += "smaller increments (loading.steps)";
+  if (jumps.increments > 0 && scene.loading.control == assembly::Control::Load)
+    text += ", or loading.control = \"path\", which passes limit points";
+  out.push_back(text);
 }
 
 // Whatever it asks for, flow prescribes the change of volume.

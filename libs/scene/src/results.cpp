@@ -159,7 +159,7 @@ void Results::add_step(const growth::Step& step, const assembly::LoadStepper& st
   row += fmt::format(",{}", e.imbalance());
   if (scene_.loading.control == assembly::Control::Path) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    const auto pivots = step.iterations.empty() ? std::nullopt : std::optional(step.iterations.back().pivots);
+    const auto pivots = step.iterations.empty() ? std::nullopt : step.iterations.back().pivots;
     row += fmt::format(",{},{}",
                        !pivots                        ? kUnknown
                        : pivots->negative_determinant ? -1.0

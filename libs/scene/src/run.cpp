@@ -176,6 +176,15 @@ nlohmann::ordered_json summary(const Scene& scene, const growth::Evolution& evol
   return j;
 }
 
+// Nothing where the file is no longer there: what has been lost is told already.
+std::vector<CriticalPoint> critical_of(const std::string& history) {
+  try {
+    return critical_points(read_csv(history));
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 std::string remark_on(const growth::Advance& a, const assembly::Model& model, double load) {
   const std::string tip =
       fmt::format("crack '{}', {}", model.cracks[a.tip.crack].name, a.tip.end == 0 ? "start" : "end");
@@ -311,8 +320,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
   const auto& surfaces = evolution.model().surfaces;
   if (!surfaces.points.empty()) result.overlap = state().history.deepest / surfaces.element_size;
   result.newton_order = median(orders);
-  if (scene.loading.control == assembly::Control::Path)
-    result.critical = critical_points(read_csv(results.path("history.csv")));
+  if (scene.loading.control == assembly::Control::Path) result.critical = critical_of(results.path("history.csv"));
   result.remarks = remarks_at_end(scene, evolution.stepper(), result.jumps);
   for (auto& remark : remarks_on_rounding(result.rounded, evolution.stepper()))
     result.remarks.push_back(std::move(remark));

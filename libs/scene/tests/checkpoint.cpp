@@ -17,7 +17,12 @@ Checkpoint example() {
   c.state.energies.elastic = 5.0;
   c.place.number = 7;
   c.place.step = 0.01;
+  c.place.stretch = 1.5;
+  c.place.furthest = 0.6;
+  c.place.longest = 0.25;
   c.place.plateau = {0.5, 2.0, 1.0};
+  c.state.progress = VecX::LinSpaced(10, 1.0, 2.0);
+  c.jumps = {2, 0.4};
   c.room = {{1, 2, 3}, {}, {4}};
   c.iterations = 21;
   c.log_bytes = {{"history.csv", 1234}, {"newton.csv", 99}};
@@ -34,6 +39,15 @@ TEST(Checkpoint, ComesBackBitForBit) {
   ASSERT_EQ(back.state.history.plastic.size(), 2u);
   EXPECT_EQ(back.state.history.plastic[0].deformation, c.state.history.plastic[0].deformation);
   EXPECT_EQ(back.state.history.plastic[0].accumulated, 0.02);
+  EXPECT_EQ(back.state.progress, c.state.progress);
+  EXPECT_EQ(back.place.stretch, 1.5);
+  EXPECT_EQ(back.place.furthest, 0.6);
+  EXPECT_EQ(back.place.longest, 0.25);
+  EXPECT_EQ(back.place.plateau.load, 0.5);
+  EXPECT_EQ(back.place.plateau.extent, 2.0);
+  EXPECT_EQ(back.place.plateau.travelled, 1.0);
+  EXPECT_EQ(back.jumps.increments, 2);
+  EXPECT_EQ(back.jumps.load, 0.4);
   EXPECT_EQ(back.room, c.room);
   EXPECT_EQ(back.log_bytes, c.log_bytes);
   EXPECT_EQ(back.outputs[0].file, "fields_0000.vtu");

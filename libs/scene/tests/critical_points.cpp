@@ -50,6 +50,14 @@ TEST(CriticalPoints, AreBifurcationsWhereTheSignChangesAndTheLoadGoesOn) {
   EXPECT_EQ(points[1].before, 0.5);
 }
 
+TEST(CriticalPoints, BeginWithTheBodyAtRestWhichIsStable) {
+  const auto points = points_of({0.1, 0.2, 0.3}, {-1, -1, 1});
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].before, 0.0);
+  EXPECT_EQ(points[0].load, 0.1);
+  EXPECT_EQ(points_of({0.1, 0.2}, {kUnknown, -1}).at(0).load, 0.2);
+}
+
 TEST(CriticalPoints, AreNoneOnAPlateauWhoseLoadIsOnlyRounded) {
   EXPECT_TRUE(points_of({0.3, 0.5, 0.5 - 1e-9, 0.5 + 1e-9, 0.5 - 2e-9}, {1, 1, 1, 1, 1}).empty());
   EXPECT_TRUE(points_of({}, {}).empty());

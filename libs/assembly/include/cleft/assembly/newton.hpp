@@ -29,9 +29,9 @@ struct Iteration {
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
   int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
-  bool kept = false;      ///< the correction was made with the factors of an iteration before
-  Pivots pivots{};        ///< of these factors
-  bool chatters = false;  ///< points of contact go round in circles; this correction was halved
+  bool kept = false;               ///< the correction was made with the factors of an iteration before
+  std::optional<Pivots> pivots{};  ///< of regular factors, without the signs that the constraints of contact make
+  bool chatters = false;           ///< points of contact go round in circles; this correction was halved
 };
 
 /// Where an increment ends: at a load, or, with a stretch, where the path coordinate of the state (State::progress) has

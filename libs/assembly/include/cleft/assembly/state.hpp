@@ -56,7 +56,8 @@ struct State {
   VecX previous_displacement;
   VecX previous_prescribed_force;
   double largest_force = 0.0;  ///< so far, of the scales of all increments' residuals, N/m
-  /// w of the path coordinate w . u, 1/m, that grew by 1 in the last increment; empty unless a run may follow its path.
+  /// w of the path coordinate w . u, 1/m, that grew by 1 in the last increment in which the body moved; empty unless a
+  /// run may follow its path.
   VecX progress{};
 };
 

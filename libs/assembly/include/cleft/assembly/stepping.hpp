@@ -36,12 +36,12 @@ struct Step {
   int number = 0;  ///< from 1
   double load = 0.0;
   bool is_output = false;     ///< at one of the outputs, for the first time
-  int cuts = 0;               ///< attempts that failed before it converged
+  int cuts = 0;               ///< attempts before it that failed, or converged to another branch of solutions
   int iterations_before = 0;  ///< of the parts by which a body was brought into balance, and of attempts given up
   std::vector<Iteration> iterations;
   Iteration left;        ///< residual after the last correction, with no correction of its own
   double rounded = 0.0;  ///< where rounding ended the iteration: what it left, over the largest force so far; else 0
-  bool jumped = false;   ///< to another branch of solutions, as the energies tell
+  bool jumped = false;   ///< a fifth or more of the energy that changes its kind is missing: too long, or it has jumped
 };
 
 /// Where the load no longer rises nor falls, and nothing but flow or sliding goes on.
@@ -63,7 +63,7 @@ struct StepPlace {
   double step = 0.0;      ///< increment of the load wanted next, whatever load to hit is nearer
   double stretch = 0.0;   ///< increment along the path to try next, over the last one; 0: the load's turn
   double furthest = 0.0;  ///< largest load so far
-  double longest = 0.0;   ///< largest displacement of an increment so far, metres
+  double longest = 0.0;   ///< largest displacement of an increment since the path was taken to, metres
   Plateau plateau;        ///< of the path
 };
 
@@ -83,8 +83,11 @@ struct Event {
 ///
 /// With Control::Path an increment of the load that fails is tried along the path instead, and so are those after it,
 /// until the load rises by half a step at once: the path may pass limit points and turn back. The outputs, the kinks
-/// and load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again.
-/// The run ends where the path leads back to load 0.
+/// and load 1 are still hit exactly, each where the load first comes to it; at a kink the load takes its turn again. An
+/// increment that has jumped to another branch of solutions, as the energies tell, is dropped: on the path for a
+/// shorter one, down to 1/64 of the longest; of the load for the path and, where that leads nowhere, made after all.
+/// Increments that fail become as short as 1/4096 of the longest; then the load leads once, the way that it went. The
+/// run ends on a plateau, where the body could only unload elastically, and where the path leads back to load 0.
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
@@ -128,6 +131,7 @@ class LoadStepper {
   double next_mark() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
+  std::optional<Increment> lead_by_load(const IterationObserver& observer);
   bool knows_path() const;
   bool is_longer(double part) const;
   bool shorten(double taken, double least);
@@ -139,7 +143,8 @@ class LoadStepper {
   Step commit(const Increment& increment);
   std::optional<Step> commit_if_accurate(const Increment& increment, bool easy, bool goes_on);
   Step commit_on_path(const Increment& increment, bool easy);
-  std::optional<Step> commit_unless_jumped(const Increment& increment, bool easy, bool goes_on);
+  bool is_guarded() const;
+  double rounding_of_energy() const;
   std::optional<Failure> refuse(const Increment& increment) const;
   std::optional<Failure> plateau() const;
   struct Committed {
@@ -148,6 +153,14 @@ class LoadStepper {
     std::vector<contact::Pair> pairs;
   };
   void go_back_to(const Committed& before);
+  struct Tries {
+    int cuts = 0;
+    std::optional<StepPlace> dropped;  // where an increment of the load seemed to jump
+    bool believes = false;             // keeps it after all
+    bool led = false;                  // by the load, past a kink of the path
+  };
+  bool try_again(double taken, double least, Tries& tries);
+  std::optional<Step> keep(const Increment& increment, bool easy, bool goes_on, Tries& tries);
   void end_account();
 
   const Model& model_;

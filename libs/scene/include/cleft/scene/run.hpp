@@ -32,13 +32,13 @@ struct Rounded {
   double load = 0.0;   ///< and where that was
 };
 
-/// Increments that have jumped from one branch of solutions to another.
+/// Increments that seem to have jumped from one branch of solutions to another (assembly::Step::jumped).
 struct Jumps {
   long increments = 0;
   double load = 0.0;  ///< of the first
 };
 
-/// Where the path turns, or where another one branches off.
+/// Where the path turns, or where the determinant changes its sign and another one may branch off.
 struct CriticalPoint {
   enum class Kind { Maximum, Minimum, Bifurcation } kind;
   double load = 0.0;    ///< of the increment nearest to a limit point, or of the first beyond a bifurcation
