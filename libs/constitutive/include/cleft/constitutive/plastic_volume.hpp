@@ -6,8 +6,8 @@
 
 namespace cleft::constitutive {
 
-/// Adds to the change of volume by flow, ln J^p = -1/2 ln det C^p^-1 (small strain: tr eps^p), in the plane and there in
-/// all directions alike, as Fbar adds to that of F: after the same to both the elastic strain is what it was.
+/// Adds to the change of volume by flow, ln J^p = -1/2 ln det C^p^-1 (small strain: tr eps^p), in the plane and there
+/// in all directions alike, as Fbar adds to that of F: after the same to both the elastic strain is what it was.
 void swell_in_plane(const FinitePlastic& law, PlasticState& state, double by);
 void swell_in_plane(const SmallPlastic& law, PlasticState& state, double by);
 
