@@ -109,7 +109,7 @@ std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResu
   if (r.increments > 0)
     out.push_back(fmt::format("`cleft report {}` draws curves, mesh and cracks in one page", directory));
   const std::string more_steps = fmt::format("`--set loading.steps={}`", 2 * scene.loading.steps);
-  if (r.cuts > 0)
+  if (r.cuts > 0 && r.failure.kind != assembly::FailureKind::Plateau)
     out.push_back(fmt::format("the column cuts of history.csv: where the {} failed increments were; {} may need none",
                               r.cuts, more_steps));
   if (r.advances > 0) out.emplace_back("growth.csv: load, place and turn of each advance of a tip");

@@ -132,6 +132,22 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   std::filesystem::remove_all(parts);
 }
 
+// Below a hold loads no longer fall with the load: the path ends there and says so. Where they only rise at another
+// rate it goes on.
+TEST(Snap, LeadsBackToAHoldAndPastAChangeOfRate) {
+  const auto with = [](const char* amplitude) {
+    return run(
+        hard_scene("roof", {fmt::format("traction=[{{on=\"top\", value=[0,-2000], amplitude={}}}]", amplitude)}));
+  };
+  const Ran held = with("[[0,0],[0.5,0.55],[0.7,0.55],[1,1]]");
+  EXPECT_EQ(held.result.failure.kind, assembly::FailureKind::LedBack) << assembly::describe(held.result.failure);
+  EXPECT_TRUE(held.result.failure.place.starts_with("load 0.7, from load 0.70")) << held.result.failure.place;
+  const Ran bent = with("[[0,0],[0.5,0.56],[1,1]]");
+  EXPECT_EQ(bent.result.end, RunResult::End::Done);
+  EXPECT_LT(bent.result.energies.relative_imbalance(), 0.01);
+  EXPECT_EQ(bent.result.critical.size(), 2u);
+}
+
 // At 0.46 of the load, falling, a point of contact opens, and the coordinate of the path has to go back.
 TEST(Snap, GoesOnWhereAContactThatOpensBendsThePath) {
   const auto scene =

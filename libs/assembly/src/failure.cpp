@@ -17,6 +17,10 @@ std::string describe(const Failure& failure) {
         return "the path of equilibrium leads back to load 0";
       case FailureKind::Unloads:
         return "beyond its limit load the body only unloads elastically";
+      case FailureKind::LedBack:
+        return "the path of equilibrium leads back to where an amplitude turned";
+      case FailureKind::Wanders:
+        return "the path wanders among loads that it has passed";
       case FailureKind::Plateau:
         return "plateau: the body flows or slides on and bears no more";
       case FailureKind::ContactLost:

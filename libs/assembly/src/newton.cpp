@@ -201,8 +201,9 @@ Increment solve_increment(const Model& model, const std::vector<Constraint>& con
   double correction = std::numeric_limits<double>::infinity(), moves = correction;
   double first_residual = 0.0, last_residual = std::numeric_limits<double>::infinity();
   for (int i = 0;; ++i) {
-    if (along_path && !(load > 0.0)) {  // below load 0 amplitudes stay as they are: no path leads on from there
-      out.failure = Failure{FailureKind::NoConvergence, "its load fell below 0", remedy(model, 0)};
+    if (along_path && !(load > goal.lowest)) {
+      out.failure =
+          Failure{FailureKind::NoConvergence, fmt::format("its load fell below {:.6g}", goal.lowest), remedy(model, 0)};
       return out;
     }
     Iteration it;

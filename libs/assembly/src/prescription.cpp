@@ -27,6 +27,14 @@ Prescription prescription(const Model& model, const std::vector<Constraint>& con
   return out;
 }
 
+bool turns_back(const Model& model, const std::vector<Constraint>& constraints, double load) {
+  constexpr double kBeside = 1e-5;
+  const Prescription below = rate_of(model, constraints, load - kBeside),
+                     above = rate_of(model, constraints, load + kBeside);
+  const double forces = below.dead.dot(above.dead), motions = below.displacement.dot(above.displacement);
+  return forces < 0.0 || motions < 0.0 || !(forces + motions > 0.0);
+}
+
 bool changes(const Prescription& rate) { return !rate.dead.isZero(0.0) || !rate.displacement.isZero(0.0); }
 
 }  // namespace cleft::assembly

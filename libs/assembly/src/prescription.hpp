@@ -16,6 +16,9 @@ Prescription prescription(const Model& model, const std::vector<Constraint>& con
 /// By the load. Amplitudes are piecewise smooth, and only the direction of an iteration depends on this.
 Prescription rate_of(const Model& model, const std::vector<Constraint>& constraints, double load);
 
+/// Whether what is prescribed turns back or begins to move at a load: a path that comes down to it cannot go on.
+bool turns_back(const Model& model, const std::vector<Constraint>& constraints, double load);
+
 /// Whether the load changes anything there.
 bool changes(const Prescription& rate);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -22,8 +23,9 @@ constexpr double kCrumb = 1e-2;             // of the way to the next target: ho
 constexpr std::size_t kEasyIterations = 5;  // an increment that took no more lets the next one grow
 constexpr double kShortest = 1.0 / 4096;    // along the path, of the longest increment so far
 constexpr double kJumpsNot = 1.0 / 64;      // the same: one so short is believed wherever it lands
-constexpr double kMayHaveJumped = 0.05;     // unexplained part of an increment that a shorter one replaces,
-constexpr double kHasJumped = 0.2;          // and one that is no question of its length
+constexpr int kMostWandered = 1000, kWanders = 20;  // increments below the largest load, and times those planned
+constexpr double kMayHaveJumped = 0.05;             // unexplained part of an increment that a shorter one replaces,
+constexpr double kHasJumped = 0.2;                  // and one that is no question of its length
 constexpr double kLongest = 1e4;            // of the last increment, where that was short to end at a load to hit
 constexpr double kRises = 0.5;              // of the planned increment: the load's gain that ends a path
 constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
@@ -46,6 +48,9 @@ LoadStepper::LoadStepper(const Model& model, StepControls controls)
       solver_(factorisation_for(model)),
       state_(state_at_rest(model)) {
   place_.step = planned();
+  if (controls_.control == Control::Path)
+    std::ranges::copy_if(controls_.kinks, std::back_inserter(path_ends_),
+                         [&](double kink) { return turns_back(model_, constraints_, kink); });
 }
 
 void LoadStepper::restore(State state, StepPlace place, std::optional<ContactRoom> room) {
@@ -63,6 +68,14 @@ double LoadStepper::next_end(double before) const {
   const double target = first_beyond(targets_, state_.load), rest = target - state_.load;
   const double end = rest <= kReaches * place_.step ? target : state_.load + std::min(place_.step, 0.5 * rest);
   return std::min(before, end);
+}
+
+// Where a path ends: below it the loads do not change, or otherwise.
+double LoadStepper::lowest() const {
+  double out = 0.0;
+  for (const double end : path_ends_)
+    if (end < state_.load) out = std::max(out, end);
+  return out;
 }
 
 // What a path must not pass by.
@@ -83,10 +96,10 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
 }
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {
-  Increment increment = solve({.stretch = place_.stretch}, observer);
-  if (increment.failure && !(increment.load > 0.0) && state_.load < state_.previous_load) {
-    Increment at_zero = solve({0.0}, observer);  // where the path gets there, and not by going back the way it came
-    if (!at_zero.failure && state_.progress.dot(at_zero.displacement - state_.displacement) > 0.0) return at_zero;
+  Increment increment = solve({.stretch = place_.stretch, .lowest = lowest()}, observer);
+  if (increment.failure && !(increment.load > lowest()) && state_.load < state_.previous_load) {
+    Increment at_end = solve({lowest()}, observer);  // where the path gets there, and not by going back the way it came
+    if (!at_end.failure && state_.progress.dot(at_end.displacement - state_.displacement) > 0.0) return at_end;
   }
   const double mark = next_mark();
   if (increment.failure || increment.load <= mark) return increment;
@@ -176,9 +189,10 @@ std::optional<Step> LoadStepper::commit_if_accurate(const Increment& increment, 
   return std::nullopt;
 }
 
-// Whether an increment that has jumped to another branch is dropped: on a path while a shorter one might not jump, and
-// of the load where the path can be tried.
-bool LoadStepper::is_guarded() const { return place_.stretch > 0.0 ? is_longer(kJumpsNot) : knows_path(); }
+// Whether an increment that has jumped to another branch is dropped: on a path while a shorter one might not jump.
+bool LoadStepper::is_guarded() const {
+  return place_.stretch > 0.0 ? is_longer(kJumpsNot) : controls_.control == Control::Path && !model_.is_linear();
+}
 
 void LoadStepper::go_back_to(const Committed& before) {
   state_ = before.state;
@@ -200,6 +214,7 @@ Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
   const double gain = state_.load - state_.previous_load, moved = last_motion(model_, state_);
   place_.longest = std::max(place_.longest, moved);
   place_.plateau.follow(state_.load, moved, farthest(model_, state_.displacement));
+  place_.wandered = state_.load < place_.furthest ? place_.wandered + 1 : 0;
   if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
     place_.stretch = 0.0;
     place_.step = std::clamp(gain, kRises * planned(), planned());
@@ -238,11 +253,23 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
   return failure;
 }
 
-// The path's end where nothing but flow or sliding goes on.
-std::optional<Failure> LoadStepper::plateau() const {
-  if (!place_.plateau.goes_on()) return std::nullopt;
-  return Failure{FailureKind::Plateau, fmt::format("no load above {:.6g}", place_.furthest),
-                 "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
+// The path's end where nothing but flow or sliding goes on, and where it wanders among loads that it has seen.
+std::optional<Failure> LoadStepper::end_of_path() const {
+  if (place_.plateau.goes_on())
+    return Failure{FailureKind::Plateau, fmt::format("no load above {:.6g}", place_.furthest),
+                   "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
+  if (place_.wandered > std::max(kMostWandered, kWanders * controls_.steps))
+    return Failure{FailureKind::Wanders,
+                   fmt::format("no load above {:.6g} in {} increments", place_.furthest, place_.wandered),
+                   "an imperfection where another path branches off, hardening, or other increments (loading.steps)"};
+  return std::nullopt;
+}
+
+Failure LoadStepper::led_back() const {
+  std::string place = fmt::format("from load {:.6g}", state_.load);
+  if (lowest() > 0.0) place = fmt::format("load {:.6g}, {}", lowest(), place);
+  return {lowest() > 0.0 ? FailureKind::LedBack : FailureKind::Unloaded, place,
+          "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
 }
 
 // Whether there is anything left to try after a failure: something shorter or, after all, what seemed to jump.
@@ -266,14 +293,13 @@ std::optional<Step> LoadStepper::keep(const Increment& increment, bool easy, boo
   out->jumped = unexplained > kHasJumped;
   if (!guarded || unexplained <= (along_path ? kMayHaveJumped : kHasJumped)) return out;
   go_back_to(*before);
-  if (!along_path) tries.dropped = place_;
-  ++tries.cuts;
-  (void)shorten(increment.load - state_.load, 0.0);
+  if (!along_path && !tries.dropped) tries.dropped = place_;
+  (void)try_again(increment.load - state_.load, controls_.min_step * planned(), tries);
   return std::nullopt;
 }
 
 std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
-  if (auto end = plateau()) return *end;
+  if (auto end = end_of_path()) return *end;
   const bool known = goes_on();
   if (!known) place_.step = std::min(place_.step, planned());
   const double least =
@@ -300,9 +326,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
       place_.step = 0.5 * taken;
       continue;
     }
-    if (!(increment.load > 0.0))
-      return Failure{FailureKind::Unloaded, fmt::format("from load {:.6g}", state_.load),
-                     "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
+    if (along_path && !(increment.load > lowest())) return led_back();
     if (event.judge)
       if (const auto lower =
               event.judge({model_, increment.load, increment.displacement, assembler_.plastic(), assembler_.pairs()})) {

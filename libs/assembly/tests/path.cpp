@@ -185,6 +185,18 @@ TEST(Path, PassesLoadOneOnItsWayThere) {
   EXPECT_EQ(stepper.state().load, 1.0);
 }
 
+TEST(Path, EndsWhereItWandersAmongLoadsThatItHasPassed) {
+  const Model model = bar();
+  LoadStepper stepper(model, along_path(20));
+  for (int k = 0; k < 40; ++k) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  StepPlace place = stepper.place();
+  EXPECT_GT(place.wandered, 5) << "on the falling branch";
+  place.wandered = 1000;
+  stepper.restore(stepper.state(), place);
+  ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
+  EXPECT_EQ(std::get<Failure>(stepper.advance()).kind, FailureKind::Wanders);
+}
+
 // Sent back the way it came a path finds nothing but elastic unloading, and says so.
 TEST(Path, EndsWhereTheBodyOnlyUnloads) {
   Model model = bar();

@@ -132,6 +132,7 @@ void pass(Io& io, Checkpoint& c) {
   io(c.place.furthest);
   io(c.place.longest);
   io(c.place.plateau);
+  io(c.place.wandered);
   pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
   pass(io, c.growth);
   io(c.iterations);

@@ -20,6 +20,7 @@ Checkpoint example() {
   c.place.stretch = 1.5;
   c.place.furthest = 0.6;
   c.place.longest = 0.25;
+  c.place.wandered = 11;
   c.place.plateau = {0.5, 2.0, 1.0};
   c.state.progress = VecX::LinSpaced(10, 1.0, 2.0);
   c.jumps = {2, 0.4};
@@ -43,6 +44,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
   EXPECT_EQ(back.place.stretch, 1.5);
   EXPECT_EQ(back.place.furthest, 0.6);
   EXPECT_EQ(back.place.longest, 0.25);
+  EXPECT_EQ(back.place.wandered, 11);
   EXPECT_EQ(back.place.plateau.load, 0.5);
   EXPECT_EQ(back.place.plateau.extent, 2.0);
   EXPECT_EQ(back.place.plateau.travelled, 1.0);

@@ -13,7 +13,9 @@ enum class FailureKind {
   NotFinite,
   Unloaded,
   Unloads,
+  LedBack,
   Plateau,
+  Wanders,
   ContactLost,
   Refused
 };

@@ -39,6 +39,7 @@ struct Iteration {
 struct Goal {
   double load = 0.0;
   double stretch = 0.0;
+  double lowest = 0.0;          ///< load below which the path does not lead on: 0, or where an amplitude turned last
   const VecX* held = nullptr;   ///< forces besides the dead loads, N/m, per component of all unknowns
   const VecX* guess = nullptr;  ///< where to begin, of all unknowns, if not by extrapolation
 };

@@ -65,6 +65,7 @@ struct StepPlace {
   double furthest = 0.0;  ///< largest load so far
   double longest = 0.0;   ///< largest displacement of an increment since the path was taken to, metres
   Plateau plateau;        ///< of the path
+  int wandered = 0;       ///< increments along the path since the load was largest
 };
 
 /// Where an increment should end besides the planned loads.
@@ -87,7 +88,8 @@ struct Event {
 /// increment that has jumped to another branch of solutions, as the energies tell, is dropped: on the path for a
 /// shorter one, down to 1/64 of the longest; of the load for the path and, where that leads nowhere, made after all.
 /// Increments that fail become as short as 1/4096 of the longest; then the load leads once, the way that it went. The
-/// run ends on a plateau, where the body could only unload elastically, and where the path leads back to load 0.
+/// run ends on a plateau, where the body could only unload elastically, where the path leads back to load 0 or to
+/// where a load turned, and where it has come to no higher load in 20 times `steps` increments (at least 1000).
 class LoadStepper {
  public:
   /// `model` must outlive the stepper.
@@ -128,6 +130,7 @@ class LoadStepper {
   double planned() const { return 1.0 / controls_.steps; }
   bool goes_on() const;
   double next_end(double before) const;
+  double lowest() const;
   double next_mark() const;
   Increment solve(const Goal& goal, const IterationObserver& observer);
   Increment try_path(const IterationObserver& observer);
@@ -146,7 +149,8 @@ class LoadStepper {
   bool is_guarded() const;
   double rounding_of_energy() const;
   std::optional<Failure> refuse(const Increment& increment) const;
-  std::optional<Failure> plateau() const;
+  std::optional<Failure> end_of_path() const;
+  Failure led_back() const;
   struct Committed {
     State state;
     StepPlace place;
@@ -168,6 +172,7 @@ class LoadStepper {
   std::vector<Constraint> constraints_;
   Reactions reactions_;
   std::vector<double> marks_, targets_;
+  std::vector<double> path_ends_;  // kinks below which no path leads on
   Assembler assembler_;
   LinearSolver solver_;
   State state_;
