@@ -6,6 +6,11 @@
 
 namespace cleft::assembly {
 
+/// Along the path: the least length of an increment, over the longest so far.
+inline constexpr double kShortest = 1.0 / 4096;
+/// The most, over the last increment where that was short to end at a load to hit.
+inline constexpr double kLongest = 1e4;
+
 /// State::progress for the increment from `before` to a displacement and the plastic states there:
 ///
 ///     w . v = sum_p c_p D_p : grad v / sum_p c_p D_p : D_p,   D_p = grad(increment),
