@@ -17,6 +17,11 @@ constexpr double kJumpsNot = 1.0 / 64;  // of the longest increment so far: one 
 constexpr double kRises = 0.5;          // of the planned increment: the load's gain that ends a path
 constexpr int kMostWandered = 1000, kWanders = 20;  // increments below the largest load, and times those planned
 
+bool any_slips(const std::vector<contact::Pair>& pairs) {
+  return std::ranges::any_of(
+      pairs, [](const contact::Pair& pair) { return pair.state.traction.status == contact::Status::Slip; });
+}
+
 }  // namespace
 
 // Where a path ends: below it the loads do not change, or otherwise.
@@ -63,9 +68,12 @@ bool LoadStepper::is_longer(double part) const {
   return place_.stretch * last_motion(model_, state_) >= part * place_.longest;
 }
 
-// Whether an increment that has jumped to another branch is dropped: on a path while a shorter one might not jump.
+// Whether the increment at hand is dropped where it has jumped to another branch: on a path while a shorter one might
+// not jump. Where faces begin to slip at a turn of the load, energy is missing however short the increment is.
 bool LoadStepper::is_guarded() const {
-  return place_.stretch > 0.0 ? is_longer(kJumpsNot) : controls_.control == Control::Path && !model_.is_linear();
+  if (place_.stretch > 0.0) return is_longer(kJumpsNot);
+  const bool turns = turns_at(controls_, state_.load) && any_slips(assembler_.pairs());
+  return controls_.control == Control::Path && !model_.is_linear() && !turns;
 }
 
 // How many times as long an increment along the path was wanted as the one that ends at a mark.
@@ -98,9 +106,8 @@ std::optional<Failure> LoadStepper::refuse(const Increment& increment) const {
   if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
   if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
   const auto& pivots = increment.iterations.back().pivots;
-  const auto slips = [](const contact::Pair& pair) { return pair.state.traction.status == contact::Status::Slip; };
   const bool positive = pivots && !pivots->negative_determinant;
-  if (std::ranges::any_of(assembler_.pairs(), slips)) return std::nullopt;
+  if (any_slips(assembler_.pairs())) return std::nullopt;
   if (!unloads_elastically(state_, assembler_.plastic(), increment.load, positive)) return std::nullopt;
   return Failure{FailureKind::Unloads, "", "hardening, or a finer mesh: this is where the path of flow ends"};
 }
