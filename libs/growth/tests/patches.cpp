@@ -16,16 +16,16 @@ namespace {
 
 using assembly::Model;
 
-const constitutive::DruckerPrager kRock{constitutive::lame(1e10, 0.25), 5e7, 0.3, 0.3, 1e9};
+const constitutive::DruckerPrager kPatchedRock{constitutive::lame(1e10, 0.25), 5e7, 0.3, 0.3, 1e9};
 
-struct Kind {
+struct PatchedKind {
   const char* name;
   assembly::Material material;
   double delaunay = 0.0;
 };
-std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
+std::ostream& operator<<(std::ostream& out, const PatchedKind& kind) { return out << kind.name; }
 
-bodies::Square square_of(const Kind& kind) {
+bodies::Square square_of(const PatchedKind& kind) {
   auto square = bodies::edge_crack();
   square.material = kind.material;
   square.delaunay = kind.delaunay;
@@ -33,7 +33,7 @@ bodies::Square square_of(const Kind& kind) {
   return square;
 }
 
-Law rankine(double strength, double advance, int most) {
+Law stress_reaches(double strength, double advance, int most) {
   Law law{Rankine{strength, 0.12}};
   law.advance = advance;
   law.most = most;
@@ -58,10 +58,10 @@ double difference_of_pressures(const Model& m, const assembly::State& state) {
   return difference / largest;
 }
 
-class GrowingPatches : public testing::TestWithParam<Kind> {};
+class GrowingPatches : public testing::TestWithParam<PatchedKind> {};
 
 TEST_P(GrowingPatches, SettleHaveOnePressureEachAndCloseTheEnergy) {
-  Evolution body = square_of(GetParam()).evolution(rankine(4e7, 0.1, 2), 50);
+  Evolution body = square_of(GetParam()).evolution(stress_reaches(4e7, 0.1, 2), 50);
   const auto run = bodies::run(body);
   ASSERT_FALSE(run.failure) << assembly::describe(*run.failure);
   EXPECT_EQ(run.advances().size(), 2u);
@@ -93,7 +93,7 @@ struct HandedOn {
   bodies::Square square;
   Model before, after;
   assembly::State state, handed;
-  explicit HandedOn(const Kind& kind) : square(square_of(kind)), before(square()) {
+  explicit HandedOn(const PatchedKind& kind) : square(square_of(kind)), before(square()) {
     assembly::LoadStepper stepper(before, bodies::in_steps(10));
     while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
     state = stepper.state();
@@ -163,10 +163,11 @@ TEST_P(GrowingPatches, KeepTheirPlasticVolumeTogetherAndWhatHasNotFlowed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GrowingPatches,
-                         testing::Values(Kind{"small", constitutive::SmallPlastic{kRock}},
-                                         Kind{"finite", constitutive::FinitePlastic{kRock}},
-                                         Kind{"small_delaunay", constitutive::SmallPlastic{kRock}, 0.1},
-                                         Kind{"finite_delaunay", constitutive::FinitePlastic{kRock}, 0.1}),
+                         testing::Values(PatchedKind{"small", constitutive::SmallPlastic{kPatchedRock}},
+                                         PatchedKind{"finite", constitutive::FinitePlastic{kPatchedRock}},
+                                         PatchedKind{"small_delaunay", constitutive::SmallPlastic{kPatchedRock}, 0.1},
+                                         PatchedKind{"finite_delaunay", constitutive::FinitePlastic{kPatchedRock},
+                                                     0.1}),
                          [](const auto& kind) { return kind.param.name; });
 
 // By element and side.
@@ -184,7 +185,7 @@ Pairs pairs_of(const Model& m) {
 // A crack that grows leaves the patches that it does not cut as they are.
 TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
   for (const double size : {0.1, 0.05, 0.03}) {
-    auto square = square_of({"", constitutive::SmallPlastic{kRock}, size});
+    auto square = square_of({"", constitutive::SmallPlastic{kPatchedRock}, size});
     const Model before = square(), after = square({geometry::extended(square.cracks[0], 1, {0.45, 0.56})});
     const auto was = pairs_of(before), is = pairs_of(after);
     int stay = 0;
@@ -205,7 +206,7 @@ TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
 TEST(GrowingPatches, SetFreeTheDifferenceOfTwoStationaryCracks) {
   for (const double size : {0.0, 0.07}) {
     auto square = square_of({"", constitutive::Hencky{constitutive::lame(1e10, 0.25)}, size});
-    Evolution body = square.evolution(rankine(6e7, 0.1, 1), 10);
+    Evolution body = square.evolution(stress_reaches(6e7, 0.1, 1), 10);
     const auto run = bodies::run(body);
     ASSERT_EQ(run.advances().size(), 1u);
     const Advance advance = run.advances()[0];
