@@ -116,8 +116,8 @@ Factors Mumps::factorise(const BlockMatrix& m) {
 
 Pivots Mumps::pivots() const {
   constexpr int kDeterminant = 12, kLeast = 20, kLargest = 21;
-  const double* const info = data_->rinfog - 1;
-  return {info[kDeterminant] < 0.0, info[kLeast] / info[kLargest]};
+  const auto info = [this](int number) { return data_->rinfog[number - 1]; };
+  return {info(kDeterminant) < 0.0, info(kLeast) / info(kLargest)};
 }
 
 VecX Mumps::solve(const VecX& b) {
