@@ -18,6 +18,7 @@ constexpr double kFaint = 1e-3;
 assembly::Model without_bulk(const assembly::Model& model) {
   assembly::Model out = model;
   out.cells.clear();
+  out.mate.clear();
   out.tip_points.clear();
   out.surfaces.hats = {};
   out.surfaces.mortar.clear();
