@@ -162,9 +162,9 @@ Failure LoadStepper::given_up(Failure failure, double load, double size) const {
 }
 
 // Whether there is anything left to try after a failure: something shorter or, after all, what seemed to jump.
-bool LoadStepper::try_again(double taken, double least, Tries& tries) {
+bool LoadStepper::try_again(double taken, Tries& tries) {
   ++tries.cuts;
-  if (shorten(taken, least)) return true;
+  if (shorten(taken, tries.least)) return true;
   if (!tries.dropped) return false;
   place_ = *std::exchange(tries.dropped, std::nullopt);
   tries.believes = true;
@@ -183,7 +183,7 @@ std::optional<Step> LoadStepper::keep(const Increment& increment, bool easy, boo
   if (!guarded || unexplained <= (along_path ? kMayHaveJumped : kHasJumped)) return out;
   go_back_to(*before);
   if (!along_path && !tries.dropped) tries.dropped = place_;
-  (void)try_again(increment.load - state_.load, controls_.min_step * planned(), tries);
+  (void)try_again(increment.load - state_.load, tries);
   return std::nullopt;
 }
 
@@ -191,9 +191,8 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
   if (auto end = end_of_path()) return *end;
   const bool known = goes_on();
   if (!known) place_.step = std::min(place_.step, planned());
-  const double least =
-      std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
   Tries tries;
+  tries.least = std::min(controls_.min_step, kCrumb * std::min(planned(), interval_around(targets_, state_.load)));
   int iterations_before = 0;
   double before = event.before;
   for (;;) {
@@ -202,7 +201,7 @@ std::variant<Step, Failure> LoadStepper::advance(const IterationObserver& observ
     Increment increment = along_path ? try_path(observer) : solve({end}, observer);
     if (!increment.failure) increment.failure = refuse(increment);
     if (increment.failure) {
-      if (try_again(taken, least, tries)) continue;
+      if (try_again(taken, tries)) continue;
       if (along_path && !tries.led) {
         tries.led = true;
         if (auto led = lead_by_load(observer)) increment = std::move(*led);

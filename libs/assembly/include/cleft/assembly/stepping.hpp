@@ -158,12 +158,13 @@ class LoadStepper {
   };
   void go_back_to(const Committed& before);
   struct Tries {
+    double least = 0.0;  // increment of the load
     int cuts = 0;
     std::optional<StepPlace> dropped;  // where an increment of the load seemed to jump
     bool believes = false;             // keeps it after all
     bool led = false;                  // by the load, past a kink of the path
   };
-  bool try_again(double taken, double least, Tries& tries);
+  bool try_again(double taken, Tries& tries);
   std::optional<Step> keep(const Increment& increment, bool easy, bool goes_on, Tries& tries);
   void end_account();
 
