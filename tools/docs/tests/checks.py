@@ -1,6 +1,7 @@
 """The checks of the documentation find what they are there for."""
 
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -78,6 +79,31 @@ class Pages(unittest.TestCase):
     def test_a_scene_begins_with_what_it_is(self):
         self.assertEqual(scenes.leading_comment("# One\n# two.\n\n# three\ntitle = 1\n"), "One\ntwo.")
         self.assertIn("through_crack", [test for test, _ in scenes.held_against("through_crack")])
+
+
+class Readme(unittest.TestCase):
+    TEXT = (markdown.ROOT / "README.md").read_text()
+
+    def test_is_short(self):
+        lines = self.TEXT.splitlines()
+        self.assertLessEqual(len(lines), 150)
+        self.assertLessEqual(max(map(len, lines)), 120)
+
+    def test_shows_the_scene_that_its_commands_run(self):
+        self.assertIn(f"```toml\n{(markdown.PAGES / 'slide.toml').read_text()}```\n", self.TEXT)
+
+    def test_names_files_that_there_are(self):
+        names = re.findall(r"`((?:tools|libs|verification|third_party_cmake)/[\w./-]*)`|\]\(([\w./-]+)\)", self.TEXT)
+        self.assertGreater(len(names), 5)
+        for code, link in names:
+            self.assertTrue((markdown.ROOT / (code or link)).exists(), code or link)
+
+
+class Index(unittest.TestCase):
+    def test_leads_to_every_page(self):
+        text = (markdown.PAGES / "index.md").read_text()
+        lost = [page.stem for page in markdown.PAGES.glob("*.md") if page.stem != "index" and f"({page.stem}.html)" not in text]
+        self.assertEqual(lost, [])
 
 
 class Commands(unittest.TestCase):
