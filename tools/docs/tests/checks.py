@@ -110,6 +110,26 @@ class Texts(unittest.TestCase):
         self.assertEqual([(str(file), path) for file, path in named if not (markdown.ROOT / path).exists()], [])
 
 
+class Libraries(unittest.TestCase):
+    NAMES = re.search(r"set\(CLEFT_LIBRARIES\s+([^)]*)\)", (markdown.ROOT / "third_party_cmake/CleftArrows.cmake").read_text())[1].split()
+
+    def test_are_listed_lowest_first(self):
+        listed = re.findall(r"^\| `(\w+)` \|", (markdown.ROOT / "tools/docs/libraries.md").read_text(), re.MULTILINE)
+        self.assertEqual(listed, self.NAMES)
+
+    def test_have_their_headers_in_the_reference(self):
+        stripped = re.findall(r"libs/(\w+)/include", (markdown.ROOT / "tools/docs/Doxyfile").read_text())
+        self.assertEqual(stripped, self.NAMES)
+
+    def test_say_on_half_a_page_what_may_not_go_in(self):
+        for name in self.NAMES:
+            with self.subTest(name):
+                text = (markdown.ROOT / "libs" / name / "README.md").read_text()
+                self.assertTrue(text.startswith(f"# {name}\n"))
+                self.assertLessEqual(len(text.splitlines()), 25)
+                self.assertIn("may not go in", text.lower())
+
+
 class Index(unittest.TestCase):
     def test_leads_to_every_page(self):
         text = (markdown.PAGES / "index.md").read_text()
