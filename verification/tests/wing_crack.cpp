@@ -170,7 +170,8 @@ TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
                some = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.3"})),
                much = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.6"}));
   EXPECT_GT(much, 1.0);
-  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see tools/docs/pages/benchmarks.md
+  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see
+  // tools/docs/pages/benchmarks.md
   const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
   EXPECT_GT(some / little, tension(0.1) / tension(0.3));
   EXPECT_LT(some, 0.7);
