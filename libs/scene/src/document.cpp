@@ -193,9 +193,18 @@ Section::Section(const Document& document, const toml::table& table, std::string
   }
 }
 
+Location Section::at() const {
+  Location out = document_->locate(*table_, path_);
+  out.section = path_;
+  return out;
+}
+
 Location Section::at(std::string_view key) const {
   const auto* n = table_->get(key);
-  return n ? document_->locate(*n, path(key)) : at();
+  if (!n) return at();
+  Location out = document_->locate(*n, path(key));
+  out.section = path(key);
+  return out;
 }
 
 Location Section::at(std::string_view key, std::size_t entry) const {

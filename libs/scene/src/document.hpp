@@ -33,7 +33,7 @@ class Section {
   Section(const Document& document, const toml::table& table, std::string path, std::string kind);
 
   bool has(std::string_view key) const { return table_->contains(key); }
-  Location at() const { return document_->locate(*table_, path_); }
+  Location at() const;  // with the section's name
   Location at(std::string_view key) const;
   Location at(std::string_view key, std::size_t entry) const;  ///< of the entry of an array
   std::string path(std::string_view key) const {

@@ -14,6 +14,7 @@ namespace {
 const char* const kOneMaterial = "the fields are those of one body; allowed with a single material only";
 
 void read_formulation(const Section& s, problem::Specification& out) {
+  out.formulation_at = s.at();
   const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
   out.tip_enrichment = s.number_or("tip_enrichment", 0.0, kNotNegative, "0 (none) or a radius, m");
   out.f_bar = s.flag_or("f_bar", false);

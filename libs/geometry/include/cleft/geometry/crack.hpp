@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cleft/support/error.hpp"
 #include "cleft/support/types.hpp"
 
 namespace cleft::geometry {
@@ -25,6 +26,16 @@ struct Crack {
   /// Arc length at the first point, metres. A crack that has grown there starts below 0, so that a point of its faces
   /// keeps its arc length.
   double s_first = 0.0;
+};
+
+/// What is wrong with one crack. The key is the crack's name, unless someone who knows where it stands says better.
+class CrackError : public InputError {
+ public:
+  CrackError(const Crack& crack, std::string problem);
+  const std::string& crack() const { return crack_; }  ///< its name
+
+ private:
+  std::string crack_;
 };
 
 /// `periods` waves of a sine of `amplitude` (metres, to the left of start->end first), sampled so that no chord is

@@ -185,6 +185,7 @@ struct Specification {
   std::vector<MaterialSpec> materials;  ///< at least one
   Kinematics kinematics = Kinematics::Finite;
   bool f_bar = false;           ///< patches of two cells share their change of volume and their pressure
+  Location formulation_at;
   double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
   std::vector<CrackSpec> cracks;
   std::vector<BoundarySpec> boundaries;
