@@ -150,8 +150,8 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
     }
     pair.partner_face = hit.face;
     pair.anchored = holds_on(surfaces, memory[p], hit.face);
-    pair.state =
-        evaluate(pair_points(surfaces, positions_, p, pair, memory[p]), pair_constants(surfaces, positions_, p, pair));
+    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, memory[p]),
+                          pair_constants(surfaces, positions_, p, pair, memory[p]));
   }
 }
 
@@ -166,11 +166,21 @@ PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index 
   return out;
 }
 
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair) {
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                             const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  PairConstants out{surfaces.laws[face.crack], surfaces.touch(),   point.weight,  point.eta, point.share_begin,
-                    point.share_end,           face.normal_sign(), pair.anchored, 0};
+  PairConstants out;
+  out.law = surfaces.laws[face.crack];
+  out.springs = surfaces.springs[face.crack];
+  out.begin = memory.state;
+  out.touch = surfaces.touch();
+  out.weight = point.weight;
+  out.eta = point.eta;
+  out.share_begin = point.share_begin;
+  out.share_end = point.share_end;
+  out.normal_sign = face.normal_sign();
+  out.anchored = pair.anchored;
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];
     const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;

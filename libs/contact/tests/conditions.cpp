@@ -26,7 +26,7 @@ struct Joint : Slider {
   HatMemory hats_memory;
 
   explicit Joint(double smoothing = 2.0, NegativeSide side = NegativeSide::Right) : Slider(side) {
-    surfaces.laws[0].friction = kFriction;
+    surfaces.laws[0] = Coulomb{kFriction};
     surfaces.mortar = {{true, 1.0, smoothing, kScale, 1.0 / kScale}};
     std::vector<HatPlan> plan(surfaces.faces.size());
     const double factor = side == NegativeSide::Both ? 0.5 : 1.0;

@@ -14,7 +14,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
   HatMemory before;
 
   HatWork() {
-    s.surfaces.laws[0].friction = kRough;
+    s.surfaces.laws[0] = Coulomb{kRough};
     s.give_hats(0.25);
     before = hats_at_rest(s.surfaces);
   }
@@ -65,7 +65,7 @@ TEST_P(HatWork, OfFacesThatStickIsNothing) {
 }
 
 TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
-  s.surfaces.laws[0].friction = 0.0;
+  s.surfaces.laws[0] = Coulomb{0.0};
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressure, 0.0);
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));

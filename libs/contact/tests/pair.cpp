@@ -22,7 +22,8 @@ PairPoints unpack(const Inputs& v) {
 
 PairConstants constants(double sign) {
   PairConstants c;
-  c.law = {3.0, 2.0, 0.3};
+  c.law = Coulomb{0.3};
+  c.springs = {3.0, 2.0};
   c.touch = {1e-14};
   c.weight = 0.7;
   c.eta = 0.21;

@@ -49,7 +49,8 @@ struct Square {
     auto& s = m.surfaces;
     s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
     s.element_size = delaunay > 0.0 ? delaunay : 1.0 / cells[0];
-    s.laws.assign(grown.size(), {1e10 / s.element_size, 1e10 / s.element_size, friction});
+    s.laws.assign(grown.size(), contact::Coulomb{friction});
+    s.springs.assign(grown.size(), {1e10 / s.element_size, 1e10 / s.element_size});
     s.sides.assign(grown.size(), contact::NegativeSide::Right);
     s.undeformed = m.is_small_strain();
     s.points = contact::place_points(s, 2);

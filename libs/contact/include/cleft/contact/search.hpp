@@ -65,6 +65,7 @@ class Search {
 /// The six points of a pair, from current positions.
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
                        const Memory& memory);
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair);
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
+                             const Memory& memory);
 
 }  // namespace cleft::contact
