@@ -29,30 +29,26 @@ double covered(const PairPoints& p, const PairConstants& c, const Frame& f) {
   return (inner - overrun) / ((c.share_end - c.share_begin) * f.length);
 }
 
+// The variation of a weighted sum of the six points along a direction.
+Row along(const Vec2& direction, const std::array<double, kPairInputs / 2>& weight) {
+  Row out;
+  for (int k = 0; k < kPairInputs / 2; ++k) out.segment<2>(2 * k) = weight[k] * direction.transpose();
+  return out;
+}
+
 // Variations as rows over the twelve inputs.
 struct Variations {
-  Rows y = Rows::Zero(), anchor = Rows::Zero();
   Row spin, length, xi, normal_gap;
 };
 
 Variations vary(const PairPoints& p, const PairConstants& c, const Frame& f, const PairState& s) {
-  Variations d;
-  Rows along = Rows::Zero(), partner = Rows::Zero();
-  for (int i = 0; i < 2; ++i) {
-    d.y(i, i) = 1.0 - c.eta;
-    d.y(i, 2 + i) = c.eta;
-    along(i, i) = -1.0;
-    along(i, 2 + i) = 1.0;
-    partner(i, 4 + i) = 1.0 - s.partner;
-    partner(i, 6 + i) = s.partner;
-    d.anchor(i, 8 + i) = 1.0;
-  }
   const Vec2 e = p.positive_end - p.positive_start;
-  d.spin = f.n.transpose() * along / f.length;
-  d.length = f.t.transpose() * along;
-  const Rows gap = partner - d.y;
-  d.xi = -(f.t.transpose() * gap + s.normal_gap * d.spin) / e.dot(f.t);
-  d.normal_gap = f.n.transpose() * gap + e.dot(f.n) * d.xi;
+  const std::array<double, 6> gap{-(1.0 - c.eta), -c.eta, 1.0 - s.partner, s.partner, 0.0, 0.0};
+  Variations d;
+  d.spin = along(f.n, {-1.0, 1.0, 0.0, 0.0, 0.0, 0.0}) / f.length;
+  d.length = along(f.t, {-1.0, 1.0, 0.0, 0.0, 0.0, 0.0});
+  d.xi = -(along(f.t, gap) + s.normal_gap * d.spin) / e.dot(f.t);
+  d.normal_gap = along(f.n, gap) + e.dot(f.n) * d.xi;
   return d;
 }
 
@@ -64,12 +60,13 @@ struct Load {
   Row d_couple;
 };
 
-Load load_of(const PairPoints& p, const Frame& f, const PairState& s, const Variations& d) {
+Load load_of(const PairPoints& p, const PairConstants& c, const Frame& f, const PairState& s, const Variations& d) {
   const double tn = s.traction.normal, tt = s.traction.tangential;
   const Row d_tn = s.stiffness.normal * d.normal_gap;
   Row d_tt = s.stiffness.by_normal * d_tn;
   if (s.stiffness.tangential != 0.0)
-    d_tt += s.stiffness.tangential * (f.t.transpose() * (d.anchor - d.y) + (p.anchor - f.y).dot(f.n) * d.spin);
+    d_tt += s.stiffness.tangential *
+            (along(f.t, {-(1.0 - c.eta), -c.eta, 0.0, 0.0, 1.0, 0.0}) + (p.anchor - f.y).dot(f.n) * d.spin);
   const double couple = tt * s.normal_gap;
   const Row d_couple = s.normal_gap * d_tt + tt * d.normal_gap;
   return {tn * f.n + tt * f.t, f.n * d_tn + f.t * d_tt + (tt * f.n - tn * f.t) * d.spin, couple, d_couple};
@@ -80,8 +77,7 @@ Load load_of(const PairPoints& p, const Frame& f, const PairState& s, const Vari
 void fade(const PairPoints& p, const PairConstants& c, const Frame& f, const PairState& s, const Variations& d,
           Load& load) {
   const Vec2 past = f.y - p.mouth;
-  Row d_overrun = f.t.transpose() * d.y + past.dot(f.n) * d.spin;
-  for (int i = 0; i < 2; ++i) d_overrun(10 + i) -= f.t(i);
+  Row d_overrun = along(f.t, {1.0 - c.eta, c.eta, 0.0, 0.0, 0.0, -1.0}) + past.dot(f.n) * d.spin;
   d_overrun *= -c.mouth;
   const double overrun = -c.mouth * past.dot(f.t);
   const double width = (c.share_end - c.share_begin) * f.length;
@@ -142,7 +138,7 @@ PairState evaluate(const PairPoints& p, const PairConstants& c) {
 PairForce force(const PairPoints& p, const PairConstants& c, const PairState& s) {
   const Frame f = frame(p, c);
   const Variations d = vary(p, c, f, s);
-  Load load = load_of(p, f, s, d);
+  Load load = load_of(p, c, f, s, d);
   if (s.ramp < 1.0) fade(p, c, f, s, d, load);
   PairForce out;
   add_traction(c, s, d, load, out);

@@ -51,8 +51,9 @@ PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) 
   const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;
   const Stiffness& k0 = pair.state.stiffness;
-  const Mat2 stiffness = k0.normal * f.n * f.n.transpose() + k0.by_normal * k0.normal * f.t * f.n.transpose() +
-                         k0.tangential * f.t * f.t.transpose();  // d t_0 / d jump
+  Mat2 stiffness = k0.normal * f.n * f.n.transpose();  // d t_0 / d jump
+  if (k0.by_normal != 0.0) stiffness += k0.by_normal * k0.normal * f.t * f.n.transpose();
+  if (k0.tangential != 0.0) stiffness += k0.tangential * f.t * f.t.transpose();
   const std::array<double, 4> weight{point.eta - 1.0, -point.eta, 1.0 - point.eta, point.eta};
   PairForce out;
   out.tangent.setZero();
