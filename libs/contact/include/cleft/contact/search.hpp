@@ -55,6 +55,7 @@ class Search {
  private:
   void find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
                     std::vector<Pair>& pairs);
+  void collect_partners(const Surfaces& surfaces);
 
   FacePositions positions_;
   geometry::SegmentGrid grid_;
