@@ -22,7 +22,7 @@ endfunction()
 
 # cleft_tests(NAME library...): executable test_NAME of the .cpp files below the folder tests/. Each of its GoogleTest cases
 # is a test of ctest, called NAME.Subject.Statement and labelled NAME. rapidcheck is at hand; CLEFT_SOURCE_DIR is the root
-# of the sources.
+# of the sources. What tests of several libraries share is included as "LIBRARY/tests/FILE".
 function(cleft_tests name)
   if(NOT CLEFT_TESTS)
     return()
@@ -31,6 +31,7 @@ function(cleft_tests name)
   cleft_executable(${target} ${CMAKE_CURRENT_SOURCE_DIR}/tests tests ${ARGN} GTest::gtest_main rapidcheck_gtest)
   if(TARGET ${target})
     target_compile_definitions(${target} PRIVATE CLEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/libs)  # for what tests share
     # Files of the tests (testing::TempDir) stay in the build tree, so that two trees can be tested at a time.
     set(scratch ${PROJECT_BINARY_DIR}/tests/scratch)
     file(MAKE_DIRECTORY ${scratch})

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "cleft/verify/between.hpp"
-#include "cleft/verify/newton_rate.hpp"
-#include "cleft/verify/tangent.hpp"
+#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/newton_rate.hpp"
+#include "cleft/tangent_check/tangent.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -23,7 +23,7 @@ constexpr double kToCompression = 90.0;  // degrees: the compression's axis
 constexpr const char* kNoExtrapolation = "solver.extrapolate=false";
 
 std::vector<Row> advances_of(const Solved& run) {
-  const auto table = scene::read_csv(*run.directory + "/growth.csv");
+  const auto table = results::read_csv(*run.directory + "/growth.csv");
   std::vector<Row> rows;
   for (const auto& cells : table.rows) {
     Row& row = rows.emplace_back();
@@ -111,8 +111,8 @@ TEST(WingCrack, GrowsAtTheSameLoadsWithHalfTheIncrements) {
 
 TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   Case table("wing crack, iterations");
-  const Solved run = solve(verify::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
-  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  const Solved run = solve(tangent_check::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
+  const auto verdict = tangent_check::judge(tangent_check::newton_rates(*run.directory), {});
   EXPECT_TRUE(verdict.enough);
   table.compare("share of the increments of order 1.8 or more",
                 static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
@@ -120,14 +120,14 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   EXPECT_GE(verdict.lowest(), 1.5);
   EXPECT_EQ(run.result.cuts, 0);
 
-  verify::TangentReport report;
+  tangent_check::TangentReport report;
   const auto scene = scene_of("wing_crack");
-  auto body = scene::make_evolution(scene, scene::build_model(scene));
+  auto body = growth::Evolution(scene, problem::build_model(scene));
   int after_growth = 0;
-  EXPECT_FALSE(verify::visit_between(body, 5, [&](const verify::StateBetween& between) {
+  EXPECT_FALSE(tangent_check::visit_between(body, 5, [&](const tangent_check::StateBetween& between) {
     after_growth += between.model.cracks[0].points.size() > 2;
-    EXPECT_FALSE(
-        verify::check_tangent(between.model, between.before.history, between.displacement, between.load, 1e-6, report));
+    EXPECT_FALSE(tangent_check::check_tangent(between.model, between.before.history, between.displacement, between.load,
+                                              1e-6, report));
     return true;
   }));
   EXPECT_GE(after_growth, 8);
@@ -137,7 +137,7 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
 
 // The mean over a disc of fixed radius has a limit; so has the load at which it reaches the strength, to the first
 // order in the element. Tension and pressure nearly cancel in it, so that its own error counts eight times in the load.
-// Finer meshes: verification/README.md.
+// Finer meshes: "Growing wings" in tools/docs/pages/benchmarks.md.
 TEST(WingCrack, LoadsAndPathOfAllAdvancesConverge) {
   Case table("wing crack, 50, 75 and 100 cells");
   std::vector<double> first, last;
@@ -170,7 +170,8 @@ TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
                some = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.3"})),
                much = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.6"}));
   EXPECT_GT(much, 1.0);
-  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see verification/README.md
+  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see
+  // tools/docs/pages/benchmarks.md
   const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
   EXPECT_GT(some / little, tension(0.1) / tension(0.3));
   EXPECT_LT(some, 0.7);
