@@ -50,6 +50,18 @@ TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
   });
 }
 
+TEST_P(History, OnlyWhatHasConvergedChangesTheStateOfTheLaw) {
+  for (const double along : {0.1, 0.05}) {  // two iterates of one increment
+    go(along);
+    each([&](std::size_t p) {
+      EXPECT_EQ(s.memory[p].state.slip, 0.0);
+      EXPECT_NEAR(s.pairs[p].state.end.slip, along - kElastic, 1e-12);
+    });
+  }
+  s.commit();
+  each([&](std::size_t p) { EXPECT_NEAR(s.memory[p].state.slip, 0.05 - kElastic, 1e-12); });
+}
+
 TEST_P(History, AnAnchorOnAnotherCrackHoldsNothing) {
   for (auto& memory : s.memory) memory.anchor_face = static_cast<Index>(s.surfaces.faces.size());
   auto elsewhere = s.surfaces.faces.front();
