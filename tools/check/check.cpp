@@ -134,13 +134,14 @@ int check(const Options& options) {
     };
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));
-    const auto& law = model.surfaces.laws[k];
+    const auto& springs = model.surfaces.springs[k];
+    const double friction = scene.cracks[k].friction;
     if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
     const auto& mortar = scene.cracks[k].mortar;
-    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes",
-                                      law.friction, mortar.smoothing, mortar.hat_width)
-                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
-                                      law.tangential_penalty));
+    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes", friction,
+                                      mortar.smoothing, mortar.hat_width)
+                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", friction, springs.normal,
+                                      springs.tangential));
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));

@@ -39,7 +39,8 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
         model_.surfaces.undeformed
             ? contact::force_undeformed(model_.surfaces, index, pair)
             : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                             contact::pair_constants(model_.surfaces, face_positions(), index, pair), pair.state);
+                             contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
+                             pair.state);
     int count = 0;
     const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
       for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {

@@ -78,7 +78,7 @@ TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
       const auto& was = s.before.surfaces.points[q];
       if (std::fabs(s_of(s.before, was.face, was.eta) - here) > 1e-12) continue;
       const auto& expected = s.state.history.contact[q];
-      EXPECT_EQ(memory.slip, expected.slip);
+      EXPECT_EQ(memory.state.slip, expected.state.slip);
       EXPECT_EQ(memory.normal, expected.normal);
       EXPECT_EQ(memory.tangential, expected.tangential);
       EXPECT_EQ(memory.ramp, expected.ramp);
@@ -90,7 +90,7 @@ TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
     }
     if (here < 0.0 || here > 0.416) {
       EXPECT_EQ(memory.anchor_face, enrichment::opposite_face(point.face));
-      EXPECT_EQ(memory.slip, 0.0);
+      EXPECT_EQ(memory.state.slip, 0.0);
       ++fresh;
     }
   }
@@ -110,7 +110,7 @@ TEST(Transfer, LeavesTheContactOfAnEndThatStaysAlone) {
         if (now.reference_start != was.reference_start || now.reference_end != was.reference_end ||
             s.after.surfaces.points[p].eta != s.before.surfaces.points[q].eta)
           continue;
-        EXPECT_EQ(s.handed_on.history.contact[p].slip, s.state.history.contact[q].slip);
+        EXPECT_EQ(s.handed_on.history.contact[p].state.slip, s.state.history.contact[q].state.slip);
         EXPECT_EQ(s.handed_on.history.contact[p].tangential, s.state.history.contact[q].tangential);
         ++same;
       }

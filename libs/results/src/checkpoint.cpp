@@ -9,13 +9,15 @@
 namespace cleft::results {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 12\n";
+constexpr char kMagic[] = "cleft checkpoint 13\n";
 
 struct Writer {
   std::string out;
   template <class T>
-  requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) {
+    out.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
   void size(std::uint64_t& n) { (*this)(n); }
   void raw(void* data, std::size_t bytes) { out.append(static_cast<const char*>(data), bytes); }
 };
@@ -29,8 +31,10 @@ struct Reader {
     at += bytes;
   }
   template <class T>
-  requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) { raw(&value, sizeof value); }
+    requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) {
+    raw(&value, sizeof value);
+  }
   void size(std::uint64_t& n) {
     (*this)(n);
     if (n > in.size()) throw std::out_of_range("checkpoint");  // no array has more entries than the file has bytes
@@ -92,7 +96,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.history.contact, [&](contact::Memory& m) {
     io(m.anchor_face);
     io(m.anchor_place);
-    io(m.slip);
+    io(m.state.slip);
     io(m.normal);
     io(m.tangential);
     io(m.ramp);
@@ -111,6 +115,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, hats.slope, io);
   pass(io, hats.smooth, io);
   io(hats.stored);
+  pass(io, hats.state, [&](contact::InterfaceState& state) { io(state.slip); });
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);

@@ -114,18 +114,18 @@ void about_penalty(const std::string& crack, const char* name, double penalty, d
                             scale, penalty > scale ? stiff : soft));
 }
 
-void about_contact(const problem::CrackSpec& spec, const std::string& crack, const contact::Law& law, double scale,
-                   Lines& out) {
-  if (law.friction == 0.0) out.push_back(crack + ": slides without friction");
-  if (law.friction > kRough)
+void about_contact(const problem::CrackSpec& spec, const std::string& crack, const contact::Springs& springs,
+                   double scale, Lines& out) {
+  if (spec.friction == 0.0) out.push_back(crack + ": slides without friction");
+  if (spec.friction > kRough)
     out.push_back(fmt::format(
         "{}: friction {:.4g} is an angle of {:.1f} degrees; it is a coefficient, neither degrees nor percent", crack,
-        law.friction, std::atan(law.friction) * 180.0 / std::numbers::pi));
+        spec.friction, std::atan(spec.friction) * 180.0 / std::numbers::pi));
   if (spec.mortar.on) return;
-  about_penalty(crack, "normal penalty", law.normal_penalty, scale,
+  about_penalty(crack, "normal penalty", springs.normal, scale,
                 "an oscillating contact pressure, and smaller increments", "faces that overlap", out);
-  if (law.tangential_penalty != law.normal_penalty)
-    about_penalty(crack, "tangential penalty", law.tangential_penalty, scale,
+  if (springs.tangential != springs.normal)
+    about_penalty(crack, "tangential penalty", springs.tangential, scale,
                   "an oscillating shear traction, and smaller increments", "slip where the faces should stick", out);
 }
 
@@ -151,7 +151,7 @@ void about_crack(const problem::Specification& scene, const assembly::Model& mod
                     "coarse",
                     crack, elements, kFew));
   about_growth(spec, crack, size, scene.tip_enrichment, out);
-  about_contact(spec, crack, model.surfaces.laws[k], scale, out);
+  about_contact(spec, crack, model.surfaces.springs[k], scale, out);
 }
 
 void about_material(const problem::Specification& scene, const problem::MaterialSpec& m, Lines& out) {

@@ -151,10 +151,10 @@ nlohmann::ordered_json summary(const problem::Specification& scene, const growth
   j["increments"] = result.increments;
   j["iterations"] = result.iterations;
   j["cuts"] = result.cuts;
-  for (std::size_t k = 0; k < model.surfaces.laws.size(); ++k) {
-    const auto& law = model.surfaces.laws[k];
+  for (std::size_t k = 0; k < model.surfaces.springs.size(); ++k) {
+    const auto& springs = model.surfaces.springs[k];
     if (model.surfaces.is_mortar(static_cast<Index>(k))) continue;
-    j["penalties"][model.cracks[k].name] = {{"normal", law.normal_penalty}, {"tangential", law.tangential_penalty}};
+    j["penalties"][model.cracks[k].name] = {{"normal", springs.normal}, {"tangential", springs.tangential}};
   }
   j["overlap"] = result.overlap;
   j["worst_residual"] = result.worst_residual;
