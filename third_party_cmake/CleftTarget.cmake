@@ -22,7 +22,7 @@ endfunction()
 
 # cleft_tests(NAME library... [LABELS label...] [SLOW pattern...]): executable test_NAME of the .cpp files below the folder
 # tests/. Each of its GoogleTest cases is a test of ctest, called NAME.Subject.Statement. rapidcheck is at hand;
-# CLEFT_SOURCE_DIR is the root of the sources.
+# CLEFT_SOURCE_DIR is the root of the sources. What tests of several libraries share is included as "LIBRARY/tests/FILE".
 #
 # Labels of a test are NAME, the given ones, and `slow` where a pattern of SLOW (as of --gtest_filter) names it, else `fast`.
 # A test is slow that takes over a second in a release build, or over 20 with the sanitizers, which leave the slow ones out.
@@ -37,6 +37,7 @@ function(cleft_tests name)
     ${arg_UNPARSED_ARGUMENTS} GTest::gtest_main rapidcheck_gtest)
   if(TARGET ${target})
     target_compile_definitions(${target} PRIVATE CLEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/libs)  # for what tests share
     # Files of the tests (testing::TempDir) stay in the build tree, so that two trees can be tested at a time.
     set(scratch ${PROJECT_BINARY_DIR}/tests/scratch)
     file(MAKE_DIRECTORY ${scratch})

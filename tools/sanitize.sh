@@ -20,6 +20,6 @@ for scene in block block_yield_finite wing_crack; do
 done
 
 say "running what has threads with the thread sanitizer"
-clang++-16 -std=c++20 -g -O1 -Wall -Wextra -Werror -fsanitize=thread -I libs/verify/src -I libs/support/include \
-  libs/verify/src/parallel.cpp libs/support/src/process.cpp libs/verify/tests/parallel.cpp -lgtest -lgtest_main -o build/sanitize/threads
+clang++-16 -std=c++20 -g -O1 -Wall -Wextra -Werror -fsanitize=thread -I libs/convergence/src -I libs/support/include \
+  libs/convergence/src/parallel.cpp libs/support/src/process.cpp libs/convergence/tests/parallel.cpp -lgtest -lgtest_main -o build/sanitize/threads
 build/sanitize/threads --gtest_brief=1

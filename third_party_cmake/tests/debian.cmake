@@ -29,7 +29,7 @@ run(${root}/usr/bin/cleft init ${WORK}/scene.toml)
 answer(told ${root}/usr/bin/cleft run ${WORK}/scene.toml -o ${WORK}/results)
 demand("${told}" "done at load 1")
 answer(installed dpkg-deb -c ${package})
-demand("${installed}" "bin/cleft\n" "libcleft_scene\\.a\n" "include/cleft/scene/run\\.hpp\n" "pkgconfig/cleft\\.pc\n"
+demand("${installed}" "bin/cleft\n" "libcleft_scene\\.a\n" "include/cleft/simulation/run\\.hpp\n" "pkgconfig/cleft\\.pc\n"
   "cleft-targets\\.cmake\n" "doc/cleft/copyright\n" "doc/cleft/CHANGELOG\\.md\n" "scenes/block\\.toml\n")
 
 file(READ ${root}/usr/share/man/man1/cleft.1 manual)

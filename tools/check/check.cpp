@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <ranges>
 
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
+#include "cleft/simulation/remarks.hpp"
 #include "text.hpp"
 #include "verbs.hpp"
 
@@ -19,7 +20,7 @@ struct Options {
 
 void print(const char* what, const std::string& value) { fmt::print("{:<24} {}\n", what, folded(value, 25)); }
 
-std::string switched_on(const scene::Scene& scene, const assembly::Model& model) {
+std::string switched_on(const problem::Specification& scene, const assembly::Model& model) {
   const bool small = model.is_small_strain();
   std::string out = "plain finite elements";
   if (model.has_contact())
@@ -29,47 +30,47 @@ std::string switched_on(const scene::Scene& scene, const assembly::Model& model)
   if (!model.ties.empty()) out += ", ghost penalty at small cuts";
   if (!model.mate.empty()) out += ", F-bar patches";
   if (model.has_memory()) out += ", plastic history";
-  if (scene.loading.control == assembly::Control::Path) out += ", path following where the load cannot rise";
-  if (std::ranges::any_of(scene.materials, scene::is_viscous)) out += ", viscous flow";
-  if (scene::grows(scene)) out += ", growth of cracks";
+  if (scene.loading.control == solve::Control::Path) out += ", path following where the load cannot rise";
+  if (std::ranges::any_of(scene.materials, problem::is_viscous)) out += ", viscous flow";
+  if (problem::grows(scene)) out += ", growth of cracks";
   return out;
 }
 
-std::string describe(const growth::Law& law) {
+std::string describe(const problem::GrowthLaw& law) {
   const char* const tips = law.tips[0] && law.tips[1] ? "both tips" : law.tips[0] ? "the start" : "the end";
   const std::string when =
-      std::holds_alternative<growth::Rankine>(law.criterion)
-          ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<growth::Rankine>(law.criterion).strength,
-                        std::get<growth::Rankine>(law.criterion).radius)
-          : fmt::format("at {:.4g} Pa m^0.5", std::get<growth::HoopStress>(law.criterion).toughness);
+      std::holds_alternative<problem::Rankine>(law.criterion)
+          ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<problem::Rankine>(law.criterion).strength,
+                        std::get<problem::Rankine>(law.criterion).radius)
+          : fmt::format("at {:.4g} Pa m^0.5", std::get<problem::HoopStress>(law.criterion).toughness);
   return fmt::format("growth: {} by {:.4g} m {}, {} times at most{}", tips, law.advance, when, law.most,
                      law.correct_direction ? ", directions corrected" : "");
 }
 
-std::string name_of(const scene::MaterialSpec::Region& region) {
+std::string name_of(const problem::MaterialSpec::Region& region) {
   if (region.crack.empty()) return "region " + region.name;
   return fmt::format("the body {} of crack {}", region.side == geometry::Side::Left ? "left" : "right", region.crack);
 }
 
-std::string describe(const scene::MaterialSpec& m) {
+std::string describe(const problem::MaterialSpec& m) {
   std::string out = fmt::format("{}, E {:.6g} Pa, nu {:.6g}", m.model, m.young, m.poisson);
   if (m.model == "j2") out += fmt::format(", yield stress {:.6g} Pa", m.yield_stress);
   if (m.model == "drucker-prager")
     out += fmt::format(", cohesion {:.6g} Pa, friction {:.6g}, dilatancy {:.6g}", m.cohesion, m.friction, m.dilatancy);
-  if (scene::is_plastic(m)) out += fmt::format(", hardening {:.6g} Pa", m.hardening);
-  if (scene::is_viscous(m)) out += fmt::format(", viscosity {:.6g} Pa", m.viscosity);
+  if (problem::is_plastic(m)) out += fmt::format(", hardening {:.6g} Pa", m.hardening);
+  if (problem::is_viscous(m)) out += fmt::format(", viscosity {:.6g} Pa", m.viscosity);
   return out + (m.region ? " in " + name_of(*m.region) : "");
 }
 
 // With the factor over the load, unless it is the load itself.
-std::string with(const scene::Amplitude& amplitude, const std::string& what) {
-  if (amplitude.points == scene::Amplitude{}.points) return what;
+std::string with(const problem::Amplitude& amplitude, const std::string& what) {
+  if (amplitude.points == problem::Amplitude{}.points) return what;
   std::vector<std::string> points;
   for (const auto& [load, factor] : amplitude.points) points.push_back(fmt::format("{:g} at load {:g}", factor, load));
   return fmt::format("{}, times {}", what, fmt::join(points, ", "));
 }
 
-std::string describe(const scene::BoundarySpec& b) {
+std::string describe(const problem::BoundarySpec& b) {
   std::vector<std::string> parts;
   const auto component = [&](const char* name, const std::optional<double>& value) {
     if (value) parts.push_back(fmt::format("{} = {:.6g} m", name, *value));
@@ -88,7 +89,7 @@ std::string describe(const scene::BoundarySpec& b) {
   return b.name + ": " + with(b.amplitude, fmt::format("{}", fmt::join(parts, ", ")));
 }
 
-void print_loads(const scene::Scene& scene) {
+void print_loads(const problem::Specification& scene) {
   for (const auto& b : scene.boundaries) print("boundary", describe(b));
   for (const auto& t : scene.tractions)
     print("traction",
@@ -108,7 +109,7 @@ void print_loads(const scene::Scene& scene) {
 
 int check(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
-  const auto model = scene::build_model(scene);
+  const auto model = problem::build_model(scene);
   const auto constraints = assembly::constraints_of(model);
   if (!scene.title.empty()) print("title", scene.title);
   print("elements", fmt::format("{} ({} cut)", model.mesh.triangles.size(), model.cut.elements.size()));
@@ -143,15 +144,15 @@ int check(const Options& options) {
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
-  const bool small = scene.kinematics == scene::Kinematics::Small;
+  const bool small = scene.kinematics == problem::Kinematics::Small;
   print("kinematics", small ? "small" : "finite");
   for (const auto& m : scene.materials) print("material", describe(m));
   print_loads(scene);
   print("switched on", switched_on(scene, model));
-  const bool symmetric = assembly::LoadStepper::factorisation_for(model) == assembly::Factorisation::Symmetric;
+  const bool symmetric = solve::LoadStepper::factorisation_for(model) == solve::Factorisation::Symmetric;
   print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (MUMPS)" : "unsymmetric (MUMPS)",
                                      model.is_linear() ? ", one for all loads" : ""));
-  const auto notes = scene::remarks(scene, model);
+  const auto notes = simulation::remarks(scene, model);
   for (const auto& note : notes) print("note", note);
   print("sound", notes.empty() ? "nothing stands against solving this scene"
                                : "nothing stands against solving this scene; mind the notes");

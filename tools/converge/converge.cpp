@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "cleft/verify/study.hpp"
+#include "cleft/convergence/study.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   std::string study;
-  verify::StudyOptions run;
+  convergence::StudyOptions run;
 };
 
 // What cannot be told is a dash.
@@ -24,12 +24,12 @@ std::string with_uncertainty(double value, double pm) {
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
-std::string exponent(const verify::LimitFit& fit) {
+std::string exponent(const convergence::LimitFit& fit) {
   return fmt::format("{:.2f}", fit.order) + (fit.order_pm > 0.0 ? fmt::format(" +- {:.2f}", fit.order_pm) : "");
 }
 
 // One line a variant; the phases are in costs.csv.
-void print_costs(const verify::StudyResult& result) {
+void print_costs(const convergence::StudyResult& result) {
   const std::string* variant = nullptr;
   for (const auto& [of, what, fit] : result.costs) {
     if (what != "seconds" && what != "megabytes") continue;
@@ -42,7 +42,7 @@ void print_costs(const verify::StudyResult& result) {
   fmt::print("\n");
 }
 
-void print_runs(const verify::Series& s, const verify::StudyResult& result) {
+void print_runs(const convergence::Series& s, const convergence::StudyResult& result) {
   fmt::print("  {:>10} {:>11} {:>8} {:>14} {:>11} {:>9} {:>7} {:>7}\n", "mesh", "h", "unknowns", "value",
              s.has_errors ? "rel. error" : "from finest", "seconds", "MB", "iter.");
   for (std::size_t k = 0; k < s.runs.size(); ++k) {
@@ -54,7 +54,7 @@ void print_runs(const verify::Series& s, const verify::StudyResult& result) {
   }
 }
 
-void print_fit(const scene::Quantity& q, const verify::Series& s) {
+void print_fit(const scene::Quantity& q, const convergence::Series& s) {
   if (!s.has_errors) {
     fmt::print("  limit NOT DETERMINED: {}\n", s.fit.remark);
     fmt::print("  no error is known; 'from finest' is the relative difference from the finest mesh\n");
@@ -67,7 +67,7 @@ void print_fit(const scene::Quantity& q, const verify::Series& s) {
   if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
 }
 
-void print(const scene::Study& study, const verify::StudyResult& result) {
+void print(const scene::Study& study, const convergence::StudyResult& result) {
   for (const auto& s : result.series) {
     const auto& q = study.quantities[s.quantity];
     fmt::print("\n{}{}\n", q.name, s.variant.empty() ? "" : ", " + s.variant);
@@ -81,7 +81,7 @@ int converge(Options options) {
   const auto study = scene::read_study(options.study);
   options.run.program = std::filesystem::read_symlink("/proc/self/exe").string();
   options.run.tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-  const auto result = verify::run_study(study, options.run);
+  const auto result = convergence::run_study(study, options.run);
   for (const auto& line : result.failed) fmt::print(stderr, "failed: {}\n", line);
   if (!result.failed.empty()) return kFailed;
   if (!study.title.empty()) fmt::print("{}\n", study.title);

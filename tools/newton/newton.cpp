@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "cleft/scene/read.hpp"
-#include "cleft/scene/run.hpp"
-#include "cleft/verify/newton_rate.hpp"
+#include "cleft/simulation/run.hpp"
+#include "cleft/tangent_check/newton_rate.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -17,11 +17,11 @@ struct Options {
   std::string subject;  // folder of a run, or a scene
   std::string directory;
   std::vector<std::string> overrides;
-  verify::RateRequirement required;
+  tangent_check::RateRequirement required;
   bool all = false;
 };
 
-std::string evidence(const verify::IncrementRate& rate) {
+std::string evidence(const tangent_check::IncrementRate& rate) {
   std::string text = fmt::format("  increment {:4}  load {:8.5f}  order ", rate.step, rate.load);
   text += rate.order ? fmt::format("{}{:.2f}", rate.order->at_least ? ">= " : "", rate.order->order) : "-";
   if (!rate.order && rate.at_unit_scale) text += fmt::format(" (at unit scale {:.2f})", *rate.at_unit_scale);
@@ -32,7 +32,7 @@ std::string evidence(const verify::IncrementRate& rate) {
   return text;
 }
 
-void print(const verify::RateVerdict& v, const Options& options) {
+void print(const tangent_check::RateVerdict& v, const Options& options) {
   fmt::print("increments {}, judged {}", v.increments, v.judged);
   if (v.judged > 0)
     fmt::print(
@@ -68,19 +68,19 @@ struct TemporaryFolder {
 };
 
 // Nothing if the solution did not get to its end.
-std::optional<std::vector<verify::IncrementRate>> rates_of_scene(const Options& options) {
-  const auto scene = verify::until_rounding(scene::read_scene(options.subject, options.overrides));
+std::optional<std::vector<tangent_check::IncrementRate>> rates_of_scene(const Options& options) {
+  const auto scene = tangent_check::until_rounding(scene::read_scene(options.subject, options.overrides));
   const TemporaryFolder temporary;
-  scene::RunOptions run;
+  simulation::RunOptions run;
   run.directory = options.directory.empty() ? temporary.path : options.directory;
-  const auto result = scene::run(scene, run);
-  if (result.end != scene::RunResult::End::Done) {
-    const bool unwritten = result.end == scene::RunResult::End::NotWritten;
+  const auto result = simulation::run(scene, run);
+  if (result.end != simulation::RunResult::End::Done) {
+    const bool unwritten = result.end == simulation::RunResult::End::NotWritten;
     fmt::print(stderr, "the run ended at load {:.6g}: {}\n", result.load,
                unwritten ? result.unwritten : assembly::describe(result.failure));
     return std::nullopt;
   }
-  return verify::newton_rates(run.directory);
+  return tangent_check::newton_rates(run.directory);
 }
 
 int newton(const Options& options) {
@@ -88,9 +88,9 @@ int newton(const Options& options) {
   if (is_folder && !(options.overrides.empty() && options.directory.empty()))
     throw std::runtime_error(options.subject +
                              ": the folder of a run, which is only read; --set and -o go with a scene");
-  const auto rates = is_folder ? std::optional(verify::newton_rates(options.subject)) : rates_of_scene(options);
+  const auto rates = is_folder ? std::optional(tangent_check::newton_rates(options.subject)) : rates_of_scene(options);
   if (!rates) return kFailed;
-  const auto verdict = verify::judge(*rates, options.required);
+  const auto verdict = tangent_check::judge(*rates, options.required);
   print(verdict, options);
   if (verdict.holds) return kDone;
   fmt::print("does not hold: {}\n",

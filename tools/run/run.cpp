@@ -1,5 +1,5 @@
 // cleft run: solves a scene.
-#include "cleft/scene/run.hpp"
+#include "cleft/simulation/run.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -25,7 +25,7 @@ void on_interrupt(int) { interrupted = true; }
 // With the time before it a line of 80 columns.
 const char* const kHead = "    load increment iterations cuts residual contact  elapsed    to go";
 
-std::string line_of(const scene::Progress& p) {
+std::string line_of(const simulation::Progress& p) {
   return fmt::format("{:8.4f} {:9} {:10} {:4} {:8.1e} {:7} {:>8} {:>8}", p.load, p.increment, p.iterations, p.cuts,
                      p.residual, p.contact_points, duration(p.elapsed), duration(p.rest));
 }
@@ -40,7 +40,7 @@ class Reporter {
     spdlog::set_default_logger(std::make_shared<spdlog::logger>("cleft", sink));
     spdlog::set_pattern("%T  %^%v%$");
   }
-  void show(const scene::Progress& p) {
+  void show(const simulation::Progress& p) {
     if (!headed_ && live_) fmt::print(stderr, "{}\n", kHead);
     if (!headed_ && !live_) spdlog::info(kHead);
     headed_ = true;
@@ -68,26 +68,26 @@ class Reporter {
 struct Options {
   std::string scene;
   std::vector<std::string> overrides;
-  scene::RunOptions run;
+  simulation::RunOptions run;
 };
 
 int solve(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   auto run = options.run;
   Reporter reporter;
-  run.observer = [&](const scene::Progress& p) { reporter.show(p); };
+  run.observer = [&](const simulation::Progress& p) { reporter.show(p); };
   run.remark = [&](const std::string& text) { reporter.say(spdlog::level::info, "note: " + text); };
   run.stop = &interrupted;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  const auto result = scene::run(scene, run);
+  const auto result = simulation::run(scene, run);
   reporter.end_line();
   print_summary(scene, result, run.directory);
-  if (result.end == scene::RunResult::End::Done) return kDone;
+  if (result.end == simulation::RunResult::End::Done) return kDone;
   const char* const go_on = result.increments > 0 ? "go on with --resume" : "run again";
-  if (result.end == scene::RunResult::End::Stopped)
+  if (result.end == simulation::RunResult::End::Stopped)
     reporter.say(spdlog::level::warn, fmt::format("interrupted at load {:.6g}; {}", result.load, go_on));
-  else if (result.end == scene::RunResult::End::NotWritten)
+  else if (result.end == simulation::RunResult::End::NotWritten)
     reporter.say(spdlog::level::err,
                  fmt::format("stopped at load {:.6g}: {}; mend that and {}", result.load, result.unwritten, go_on));
   else

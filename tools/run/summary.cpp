@@ -37,8 +37,8 @@ void print_energies(const assembly::Energies& e) {
 }
 
 // Limit points and bifurcations, the first of them.
-void print_critical(const std::vector<scene::CriticalPoint>& points) {
-  using Kind = scene::CriticalPoint::Kind;
+void print_critical(const std::vector<results::CriticalPoint>& points) {
+  using Kind = results::CriticalPoint::Kind;
   constexpr std::size_t kMost = 6;
   std::vector<std::string> limits, bifurcations;
   for (const auto& p : points)
@@ -58,7 +58,7 @@ void print_critical(const std::vector<scene::CriticalPoint>& points) {
 }
 
 // The phases that take most, and what is left.
-void print_times(const scene::RunResult& r) {
+void print_times(const simulation::RunResult& r) {
   constexpr double kWorthTelling = 0.02;
   auto phases = r.phases;
   std::ranges::sort(phases, std::ranges::greater{}, [](const auto& phase) { return phase.second; });
@@ -73,8 +73,8 @@ void print_times(const scene::RunResult& r) {
   print("time", fmt::format("{}: {}", duration(r.seconds), fmt::join(told, ", ")));
 }
 
-std::string end_of(const scene::RunResult& r) {
-  using End = scene::RunResult::End;
+std::string end_of(const simulation::RunResult& r) {
+  using End = simulation::RunResult::End;
   const char* const how = r.end == End::Done      ? "done"
                           : r.end == End::Failed  ? "failed"
                           : r.end == End::Stopped ? "interrupted"
@@ -83,7 +83,7 @@ std::string end_of(const scene::RunResult& r) {
   return fmt::format("{} at load {:.6g}{}", how, r.load, why);
 }
 
-std::string files_of(const scene::Scene& scene, const scene::RunResult& r) {
+std::string files_of(const problem::Specification& scene, const simulation::RunResult& r) {
   std::vector<std::string> files{"history.csv"};
   for (const auto& crack : scene.cracks) files.push_back("crack_" + crack.name + ".csv");
   if (r.advances > 0) files.emplace_back("growth.csv");
@@ -92,18 +92,19 @@ std::string files_of(const scene::Scene& scene, const scene::RunResult& r) {
 }
 
 // An override that halves the elements, as a command takes it; empty where the mesh is a file's.
-std::string finer(const scene::MeshSpec& mesh) {
-  if (const auto* m = std::get_if<scene::StructuredMesh>(&mesh.kind))
+std::string finer(const problem::MeshSpec& mesh) {
+  if (const auto* m = std::get_if<problem::StructuredMesh>(&mesh.kind))
     return fmt::format("--set 'mesh.cells=[{},{}]'", 2 * m->cells[0], 2 * m->cells[1]);
-  if (const auto* m = std::get_if<scene::DelaunayMesh>(&mesh.kind))
+  if (const auto* m = std::get_if<problem::DelaunayMesh>(&mesh.kind))
     return fmt::format("--set mesh.refine={:g}", 2.0 * m->refine);
   return "";
 }
 
-std::vector<std::string> next_of(const scene::Scene& scene, const scene::RunResult& r, const std::string& directory) {
+std::vector<std::string> next_of(const problem::Specification& scene, const simulation::RunResult& r,
+                                 const std::string& directory) {
   constexpr double kSlow = 1.8;
   constexpr std::size_t kMost = 3;
-  const bool done = r.end == scene::RunResult::End::Done;
+  const bool done = r.end == simulation::RunResult::End::Done;
   std::vector<std::string> out;
   if (!done) out.emplace_back("the message below says why it ended, and how to go on");
   if (r.increments > 0)
@@ -127,8 +128,8 @@ std::string duration(double seconds) {
   return seconds < 100 ? fmt::format("{:.1f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
 }
 
-void print_summary(const scene::Scene& scene, const scene::RunResult& r, const std::string& directory) {
-  const bool done = r.end == scene::RunResult::End::Done;
+void print_summary(const problem::Specification& scene, const simulation::RunResult& r, const std::string& directory) {
+  const bool done = r.end == simulation::RunResult::End::Done;
   print("end", end_of(r), done ? "\x1b[32m" : "\x1b[31m");
   if (r.increments > 0) {
     print("increments", fmt::format("{}, iterations {} ({:.2f} an increment), cuts {}", r.increments, r.iterations,

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cleft/scene/run.hpp"
+#include "cleft/simulation/run.hpp"
 
 namespace cleft::tools {
 
@@ -11,6 +11,7 @@ std::string duration(double seconds);
 
 /// On stdout, in 80 columns: how far, how well, how long, where the results are, what an expert would warn of and look
 /// at next.
-void print_summary(const scene::Scene& scene, const scene::RunResult& result, const std::string& directory);
+void print_summary(const problem::Specification& scene, const simulation::RunResult& result,
+                   const std::string& directory);
 
 }  // namespace cleft::tools

@@ -1,11 +1,11 @@
 // cleft tangent: the tangent against differences of the forces, along a real run.
-#include "cleft/verify/tangent.hpp"
+#include "cleft/tangent_check/tangent.hpp"
 
 #include <fmt/format.h>
 
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
-#include "cleft/verify/between.hpp"
+#include "cleft/tangent_check/between.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -18,7 +18,7 @@ struct Options {
   double tolerance = 1e-6;
 };
 
-void print_blocks(const verify::TangentReport& report) {
+void print_blocks(const tangent_check::TangentReport& report) {
   fmt::print("{:22}{:>10}{:>12}{:>10}{:>12}{:>14}{:>10}\n", "block", "pieces", "entries", "left out", "worst",
              "uncertainty", "at load");
   for (const auto& [name, block] : report.blocks) {
@@ -33,17 +33,17 @@ struct Places {
   std::map<std::string, std::string> worst;  // by block
   std::vector<std::string> kinks;
 
-  void add(const assembly::Model& model, double load, const verify::TangentReport& report) {
+  void add(const assembly::Model& model, double load, const tangent_check::TangentReport& report) {
     for (const auto& [name, block] : report.blocks) {
       const auto& w = block.worst;
       if (w.error() == 0.0 || w.load != load) continue;
-      worst[name] =
-          fmt::format("{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
-                      verify::describe_piece(model, w.cell, w.point), w.exact, w.difference,
-                      verify::describe_component(model, w.row), verify::describe_component(model, w.column));
+      worst[name] = fmt::format(
+          "{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
+          tangent_check::describe_piece(model, w.cell, w.point), w.exact, w.difference,
+          tangent_check::describe_component(model, w.row), tangent_check::describe_component(model, w.column));
     }
     for (std::size_t k = kinks.size(); k < report.kinks.size(); ++k)
-      kinks.push_back(verify::describe_piece(model, report.kinks[k].cell, report.kinks[k].point));
+      kinks.push_back(tangent_check::describe_piece(model, report.kinks[k].cell, report.kinks[k].point));
   }
 };
 
@@ -52,7 +52,7 @@ void print_worst(const Places& places) {
   for (const auto& [name, place] : places.worst) fmt::print("  {}: {}\n", name, place);
 }
 
-void print_kinks(const Places& places, const verify::TangentReport& report) {
+void print_kinks(const Places& places, const tangent_check::TangentReport& report) {
   if (report.kinks.empty()) return;
   constexpr long kMost = 5;  // of each reason
   fmt::print("\nnot judged, or not in all entries\n");
@@ -65,7 +65,7 @@ void print_kinks(const Places& places, const verify::TangentReport& report) {
     if (number > kMost) fmt::print("  {}: {} in all\n", reason, number);
 }
 
-int verdict(const verify::TangentReport& report, double tolerance) {
+int verdict(const tangent_check::TangentReport& report, double tolerance) {
   if (!(report.worst() < tolerance)) {
     fmt::print("\ndoes not hold: worst {:.1e}, NOT below {:.1e}\n", report.worst(), tolerance);
     return kCheckFailed;
@@ -80,17 +80,18 @@ int verdict(const verify::TangentReport& report, double tolerance) {
 
 int tangent(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
-  auto body = scene::make_evolution(scene, scene::build_model(scene));
+  auto body = growth::Evolution(scene, problem::build_model(scene));
   Places places;
-  verify::TangentReport report;
+  tangent_check::TangentReport report;
   std::optional<assembly::Failure> no_forces;
   // The run behind a wrong tangent is not worth waiting for.
-  const auto failure = verify::visit_between(body, options.states, [&](const verify::StateBetween& between) {
-    no_forces = verify::check_tangent(between.model, between.before.history, between.displacement, between.load,
-                                      options.tolerance, report);
-    places.add(between.model, between.load, report);
-    return !no_forces && report.worst() < options.tolerance;
-  });
+  const auto failure =
+      tangent_check::visit_between(body, options.states, [&](const tangent_check::StateBetween& between) {
+        no_forces = tangent_check::check_tangent(between.model, between.before.history, between.displacement,
+                                                 between.load, options.tolerance, report);
+        places.add(between.model, between.load, report);
+        return !no_forces && report.worst() < options.tolerance;
+      });
   fmt::print("{} states between converged ones; differences over the largest entry of the same piece in the row\n\n",
              report.states);
   print_blocks(report);

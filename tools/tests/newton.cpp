@@ -1,4 +1,4 @@
-#include "cleft/scene/files.hpp"
+#include "cleft/results/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {

@@ -1,7 +1,7 @@
 // What helps to write a scene: cleft init and cleft scene.
 #include <fstream>
 
-#include "cleft/scene/files.hpp"
+#include "cleft/results/files.hpp"
 #include "cleft/scene/keys.hpp"
 #include "shell.hpp"
 
@@ -22,7 +22,7 @@ TEST(Init, WritesASceneThatRunsAndLeavesWhatIsThereAlone) {
   const Outcome again = call("init " + file);
   EXPECT_EQ(again.code, 2);
   EXPECT_NE(again.text.find("exists already"), std::string::npos) << again.text;
-  EXPECT_EQ(scene::read_bytes(file), "mine");
+  EXPECT_EQ(results::read_bytes(file), "mine");
   EXPECT_EQ(call("init " + folder + "/no/such/folder.toml").code, 2);
 }
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "cleft/verify/fit.hpp"
+#include "cleft/convergence/fit.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -29,7 +29,7 @@ TEST(BlockLimit, AgreesWithThatOfBodyFittedElementsWithinBothUncertainties) {
   for (const auto& [key, value] : values) {
     const auto& [force, load] = key;
     const auto row = static_cast<std::size_t>(std::find(loads.begin(), loads.end(), load) - loads.begin());
-    const auto fit = verify::fit_limit(h, value);
+    const auto fit = convergence::fit_limit(h, value);
     EXPECT_TRUE(fit.determined) << fit.remark;
     EXPECT_LT(fit.limit_pm, 0.05 * std::fabs(fit.limit)) << "an uncertainty that allows everything shows nothing";
     const std::string name = fmt::format("{} at load {}, MN/m", force, load);

@@ -55,8 +55,8 @@ TEST_P(HomogeneousBulk, CompressionHasTheClosedForm) {
                   exact(bulk.young / (1.0 - nu * nu) * strain / l), kSolved);
   }
   Case table(fmt::format("uniaxial strain, stretch {}, {}", l, bulk.name()));
-  scene::Scene confined = scene_of("uniaxial", overrides);
-  scene::BoundarySpec right;
+  problem::Specification confined = scene_of("uniaxial", overrides);
+  problem::BoundarySpec right;
   right.name = right.on = "right";
   right.ux = 0.0;
   confined.boundaries.push_back(right);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cleft/scene/profile.hpp"
-#include "cleft/verify/fit.hpp"
+#include "cleft/convergence/fit.hpp"
+#include "cleft/results/profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -32,7 +32,7 @@ struct Fault {
   double excess() const { return std::fabs(tau) - friction * kPressure; }
 };
 
-scene::Scene scene_on(int cells, const Fault& f) {
+problem::Specification scene_on(int cells, const Fault& f) {
   const std::string field = fmt::format(
       "{{ name='closed-crack', center_x={}, center_y={}, angle={}, half_length={}, sigma_n={}, tau={}, friction={} }}",
       f.center.x(), f.center.y(), std::atan2(f.half.y(), f.half.x()) * 180.0 / std::numbers::pi, f.half.norm(),
@@ -76,7 +76,7 @@ Measured measure(int cells, const Fault& fault) {
   std::vector<double> pressures;
   Measured out;
   out.h = fault.h(cells) / a;
-  const auto points = scene::profile(solved.stepper);
+  const auto points = results::profile(solved.stepper);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double weight = solved.model.surfaces.points[p].weight, place = (points[p].reference - centre).norm() / a;
     const double exact_slip = largest * std::sqrt(1.0 - place * place), slip = points[p].slip;
@@ -114,7 +114,7 @@ TEST_P(ClosedCrack, SlipsByTheExactEllipseUpToItsTips) {
     error.push_back(finest.slip_error);
   }
   const double part = finest.h, intensity = fault.excess() * std::sqrt(std::numbers::pi * fault.half.norm());
-  table.compare("order of the error of slip in L2", verify::fit_limit(h, error, {.limit = 0.0}).order, exact(1.0),
+  table.compare("order of the error of slip in L2", convergence::fit_limit(h, error, {.limit = 0.0}).order, exact(1.0),
                 within(0.2, kShort + "in L2 that is h sqrt(log 1/h), for the exact slip is steep there"));
   table.compare("error of slip in L2", finest.slip_error, exact(0.0), within(1.3 * part, kShort + "1.3 h / a in L2"));
   table.compare("slip of the inner tenth over the exact one", finest.centre, exact(1.0),
@@ -136,7 +136,7 @@ TEST_P(ClosedCrack, SticksWhereFrictionSuffices) {
   const double a = fault.half.norm(), h = fault.h(kCells);
   std::vector<double> slip, shear;
   int loose = 0;
-  for (const auto& point : scene::profile(solved.stepper)) {
+  for (const auto& point : results::profile(solved.stepper)) {
     const double from_tip = a - (point.reference - fault.center).norm();
     slip.push_back(point.slip);
     if (from_tip > 0.2 * a) shear.push_back(std::fabs(point.tangential));

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-#include "cleft/verify/profile.hpp"
+#include "cleft/convergence/profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -80,11 +80,11 @@ std::string perturbed_mesh(int across) {
   for (const auto& [a, b, c] : mesh.triangles)
     text += fmt::format("{} 2 2 5 5 {} {} {}\n", ++number, a + 1, b + 1, c + 1);
   const std::string path = testing::TempDir() + fmt::format("cleft_perturbed_{}_{}.msh", across, getpid());
-  scene::write_atomically(path, text + "$EndElements\n");
+  results::write_atomically(path, text + "$EndElements\n");
   return path;
 }
 
-scene::Scene half_loaded(const std::vector<std::string>& mesh, const std::string& contact) {
+problem::Specification half_loaded(const std::vector<std::string>& mesh, const std::string& contact) {
   std::vector<std::string> overrides{"boundary.top.ux=-0.005", "boundary.top.uy=-0.005", "loading.steps=25",
                                      "loading.outputs=[1.0]", "crack.main.contact={" + contact + "}"};
   overrides.insert(overrides.end(), mesh.begin(), mesh.end());
@@ -94,12 +94,12 @@ scene::Scene half_loaded(const std::vector<std::string>& mesh, const std::string
 // Distance of the pressure from a reference over the inner 80 % of the contact, L2, relative.
 double error_of(const Solved& run, const std::string& file, const std::array<double, 2>& inner) {
   const auto table = reference(file);
-  verify::Profile own;
+  convergence::Profile own;
   for (const Row& row : run.profile("main", 1.0)) {
     own.place.push_back(number(row, "s"));
     own.value.push_back(number(row, "pressure"));
   }
-  return verify::distance(own, {table.column("s"), table.column("pressure")}, inner).l2_relative;
+  return convergence::distance(own, {table.column("s"), table.column("pressure")}, inner).l2_relative;
 }
 
 TEST(ContactPressure, OfMortarContactDoesNotOscillateAndKeepsTheFacesApart) {

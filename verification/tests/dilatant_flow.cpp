@@ -193,10 +193,10 @@ TEST(DilatantFlow, HoldsThePressureOfAThickRing) {
 
 // The load at which the path ends in a plateau.
 double limit_of_slope(double size) {
-  const scene::Scene scene =
+  const problem::Specification scene =
       scene_of("slope", {fmt::format("mesh.size={}", size), "gravity.density=24240", "loading.control='path'"});
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  const auto model = problem::build_model(scene);
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   double most = 0.0;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();

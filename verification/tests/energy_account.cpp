@@ -122,7 +122,7 @@ struct Judged {
 };
 
 Judged judged(unsigned seed) {
-  scene::Scene scene = hard_scene("lifted", random_scene(seed));
+  problem::Specification scene = hard_scene("lifted", random_scene(seed));
   const Solved coarse = solve(scene);
   scene.loading.steps *= 16;
   const SolvedModel fine(scene);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cleft/scene/field.hpp"
-#include "cleft/verify/fit.hpp"
+#include "cleft/convergence/fit.hpp"
+#include "cleft/problem/field.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -24,8 +24,8 @@ double energy_error(const char* name, const char* crack, int cells, double radiu
   keys.push_back(fmt::format("crack.{}.intensities=false", crack));
   const auto scene = scene_of(name, keys);
   const SolvedModel solved(scene);
-  const auto exact = scene::make_field(*scene.exact, solved.model.constants(0));
-  const auto norms = scene::error_norms(solved.model, exact, 1.0, solved.stepper.state().displacement);
+  const auto exact = problem::make_field(*scene.exact, solved.model.constants(0));
+  const auto norms = problem::error_norms(solved.model, exact, 1.0, solved.stepper.state().displacement);
   return norms.energy / norms.energy_exact;
 }
 
@@ -157,7 +157,7 @@ TEST(EnrichedTips, RaiseTheOrderOfTheEnergyOfAnOpenCrackToOne) {
       h.push_back(4.0 / cells);
       error.push_back(energy_error("slanted_crack", "slit", cells, radius));
     }
-    const auto fit = verify::fit_limit(h, error, {.limit = 0.0});
+    const auto fit = convergence::fit_limit(h, error, {.limit = 0.0});
     table.compare(fmt::format("order of the energy error, radius {}", radius), fit.order, exact(order),
                   within(0.1, "four meshes, R of 5 to 14 h"));
     if (radius > 0.0)

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "cleft/assembly/stress.hpp"
-#include "cleft/scene/profile.hpp"
+#include "cleft/results/profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -50,18 +50,18 @@ Mat2 homogeneous(const assembly::Material& material, const Patch& patch) {
   return F;
 }
 
-scene::Scene square(const Patch& patch) {
-  scene::Scene scene;
-  scene::StructuredMesh mesh;
+problem::Specification square(const Patch& patch) {
+  problem::Specification scene;
+  problem::StructuredMesh mesh;
   mesh.box = {0.0, 0.0, 1.0, 1.0};
   mesh.cells = {10, 10};
   scene.mesh.kind = mesh;
-  scene::MaterialSpec material;
+  problem::MaterialSpec material;
   material.model = patch.material;
   material.young = kYoung;
   material.poisson = kPoisson;
   scene.materials = {material};
-  scene::CrackSpec crack;
+  problem::CrackSpec crack;
   crack.name = "face";
   crack.points = {kStart, kEnd};
   const bool right = (patch.elastic == Side::Right) != patch.rigid_integrates;
@@ -126,8 +126,8 @@ class FiniteSlipPatch : public testing::TestWithParam<Patch> {};
 TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   const Patch& patch = GetParam();
   Case table(fmt::format("finite-slip patch test, {}", patch.name));
-  const scene::Scene scene = square(patch);
-  assembly::Model model = scene::build_model(scene);
+  const problem::Specification scene = square(patch);
+  assembly::Model model = problem::build_model(scene);
   const Vec2 t = (kEnd - kStart).normalized();
   Motion motion;
   motion.turn << t.x(), -t.y(), t.y(), t.x();
@@ -139,13 +139,13 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   prescribe(model, motion, patch.elastic);
   const Mat2 F = motion.turn * motion.F * motion.turn.transpose();
 
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   double strain = 0.0, least_slip = 1e300;
   std::vector<double> normal, tangential, pressure, opposite;
   int positions = 0, cells = 0, points = 0;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<assembly::Step>(outcome))
+    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome))
         << assembly::describe(std::get<assembly::Failure>(outcome));
     if (stepper.state().load < kSlides) continue;
     ++positions;
@@ -156,7 +156,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
       ++cells;
       strain = std::fmax(strain, (cell.deformation(stepper.state().displacement) - F).norm());
     }
-    for (const auto& point : scene::profile(stepper)) {
+    for (const auto& point : results::profile(stepper)) {
       const bool on_rigid = point.side != patch.elastic;
       if (on_rigid && point.status == contact::Status::Open) continue;  // past the other face
       ++points;
@@ -167,7 +167,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
       opposite.push_back(point.partner_pressure);
     }
   }
-  for (const auto& point : scene::profile(stepper)) least_slip = std::fmin(least_slip, point.slip);
+  for (const auto& point : results::profile(stepper)) least_slip = std::fmin(least_slip, point.slip);
   EXPECT_GE(positions, 75);
   EXPECT_GT(cells, 50 * positions);
   EXPECT_GT(points, 2 * positions);

@@ -15,7 +15,7 @@ std::string file_of(const std::string& name) { return std::string(CLEFT_VERIFICA
 
 }  // namespace
 
-scene::Scene hard_scene(const std::string& name, const std::vector<std::string>& overrides) {
+problem::Specification hard_scene(const std::string& name, const std::vector<std::string>& overrides) {
   return scene::read_scene(file_of(name), overrides);
 }
 

@@ -9,7 +9,7 @@
 namespace cleft::verification {
 
 /// A scene of verification/hard with overrides.
-scene::Scene hard_scene(const std::string& name, const std::vector<std::string>& overrides = {});
+problem::Specification hard_scene(const std::string& name, const std::vector<std::string>& overrides = {});
 
 /// The line with the points of a crack as an override.
 std::string points_of(const std::string& crack, const std::vector<Vec2>& points);

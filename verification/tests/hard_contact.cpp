@@ -23,9 +23,9 @@ struct End {
 };
 
 End end_of(const std::string& scene, const Overrides& overrides) {
-  const scene::Scene s = hard_scene(scene, overrides);
-  const assembly::Model model = scene::build_model(s);
-  assembly::LoadStepper stepper(model, scene::step_controls(s));
+  const problem::Specification s = hard_scene(scene, overrides);
+  const assembly::Model model = problem::build_model(s);
+  solve::LoadStepper stepper(model, problem::step_controls(s));
   End out;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
@@ -33,7 +33,7 @@ End end_of(const std::string& scene, const Overrides& overrides) {
       out.failure = assembly::describe(*failure);
       return out;
     }
-    const auto& step = std::get<assembly::Step>(outcome);
+    const auto& step = std::get<solve::Step>(outcome);
     out.cuts += step.cuts;
     out.iterations.push_back(static_cast<int>(step.iterations.size()));
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cleft/assembly/stress.hpp"
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
 #include "hard_sweeps.hpp"
 
 namespace cleft::verification {
@@ -79,14 +79,14 @@ void look_at_slivers(const assembly::Model& model, const VecX& displacement, Swe
 
 }  // namespace
 
-Swept sweep(const scene::Scene& scene) {
+Swept sweep(const problem::Specification& scene) {
   Swept out;
-  const assembly::Model model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  const assembly::Model model = problem::build_model(scene);
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   {
-    scene::Scene with_springs = scene;  // which can be taken away again
+    problem::Specification with_springs = scene;  // which can be taken away again
     for (auto& crack : with_springs.cracks) crack.mortar.on = false;
-    assembly::Model open = scene::build_model(with_springs);
+    assembly::Model open = problem::build_model(with_springs);
     open.surfaces.points.clear();
     assembly::Assembler assembler(open);
     const auto rest = assembly::state_at_rest(open);
@@ -105,7 +105,7 @@ Swept sweep(const scene::Scene& scene) {
       out.failure = assembly::describe(*failure);
       return out;
     }
-    const auto& step = std::get<assembly::Step>(outcome);
+    const auto& step = std::get<solve::Step>(outcome);
     out.cuts += step.cuts;
     out.iterations.push_back(static_cast<int>(step.iterations.size()));
   }

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cleft/assembly/stepping.hpp"
-#include "cleft/scene/description.hpp"
+#include "cleft/problem/specification.hpp"
+#include "cleft/solve/stepping.hpp"
 
 namespace cleft::verification {
 
@@ -20,7 +20,7 @@ struct Swept {
   double smallest = 1.0;          ///< least part of a triangle that a side covers, away from tips
   double sliver_stress = 0.0;     ///< norm of the Cauchy stress in that part over the largest beside it on its side
 };
-Swept sweep(const scene::Scene& scene);
+Swept sweep(const problem::Specification& scene);
 
 /// A crack of one to four random segments in the block, on a random mesh (every other one Delaunay, the rest structured
 /// with nodes moved, in a file of that folder), with random loads, friction and negative side. The same on every

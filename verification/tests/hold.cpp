@@ -11,17 +11,17 @@ namespace cleft::verification {
 namespace {
 
 // Reactions of all boundaries, N/m.
-VecX forces(const assembly::LoadStepper& stepper) {
+VecX forces(const solve::LoadStepper& stepper) {
   const auto all = stepper.reactions();
   VecX out(2 * static_cast<Index>(all.size()));
   for (std::size_t k = 0; k < all.size(); ++k) out.segment<2>(2 * static_cast<Index>(k)) = all[k];
   return out;
 }
 
-void go_to(assembly::LoadStepper& stepper, double load) {
+void go_to(solve::LoadStepper& stepper, double load) {
   while (stepper.state().load < load - 1e-9) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<assembly::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
   }
 }
 
@@ -31,9 +31,9 @@ struct Drift {
 };
 
 // What forces change by from `held` to the end of the load, over the largest of them.
-Drift drift_of(const scene::Scene& scene, double held) {
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+Drift drift_of(const problem::Specification& scene, double held) {
+  const auto model = problem::build_model(scene);
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   go_to(stepper, held);
   Drift out;
   for (const auto& memory : stepper.state().history.contact) out.slid = out.slid || memory.slip > 0.0;

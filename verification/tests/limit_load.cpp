@@ -18,8 +18,8 @@ const std::string kAnyFlow = "solver.max_plastic_increment=0";
 
 TEST(LimitLoad, StopsARunThatOnlyRaisesTheLoad) {
   const auto scene = scene_of("block_yield_finite", {kMesh});
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  const auto model = problem::build_model(scene);
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   for (;;) {
     const auto outcome = stepper.advance();
     ASSERT_FALSE(stepper.done());

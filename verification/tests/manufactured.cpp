@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cleft/verify/fit.hpp"
+#include "cleft/convergence/fit.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -26,7 +26,7 @@ std::vector<std::string> along_a_mesh_line() {
   return overrides;
 }
 
-scene::ErrorNorms error_on(int cells, const Problem& problem, const std::string& material) {
+problem::ErrorNorms error_on(int cells, const Problem& problem, const std::string& material) {
   auto overrides = problem.overrides;
   overrides.push_back(fmt::format("mesh.cells=[{0},{0}]", cells));
   overrides.push_back("material.model=" + material);
@@ -36,8 +36,8 @@ scene::ErrorNorms error_on(int cells, const Problem& problem, const std::string&
   EXPECT_TRUE(std::all_of(pairs.begin(), pairs.end(), [](const contact::Pair& pair) {
     return pair.state.traction.status == contact::Status::Open;
   })) << "the solution has no contact";
-  return scene::error_norms(solved.model, scene::make_field(*scene.exact, solved.model.constants(0)), 1.0,
-                            solved.stepper.state().displacement);
+  return problem::error_norms(solved.model, problem::make_field(*scene.exact, solved.model.constants(0)), 1.0,
+                              solved.stepper.state().displacement);
 }
 
 class Manufactured : public testing::TestWithParam<std::tuple<Problem, const char*>> {};
@@ -55,9 +55,9 @@ TEST_P(Manufactured, ErrorsFallWithSecondAndFirstOrder) {
     relative = error.l2 / error.l2_exact;
   }
   const std::string coarse = "linear triangles; on 10 to 80 a side the coarse ones are not yet in the limit";
-  table.compare("order of the error in L2", verify::fit_limit(h, l2, {.limit = 0.0}).order, exact(2.0),
+  table.compare("order of the error in L2", convergence::fit_limit(h, l2, {.limit = 0.0}).order, exact(2.0),
                 within(0.1, coarse));
-  table.compare("order of the error in energy", verify::fit_limit(h, energy, {.limit = 0.0}).order, exact(1.0),
+  table.compare("order of the error in energy", convergence::fit_limit(h, energy, {.limit = 0.0}).order, exact(1.0),
                 within(0.05, coarse));
   table.compare("error in L2 over the solution, 80 a side", relative, exact(0.0),
                 within(3.5e-4, "(k h)^2 / 4 of a wave k = 3: an order alone does not tell that the limit is right"));

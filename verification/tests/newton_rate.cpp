@@ -1,5 +1,5 @@
 // The block's increments converge quadratically, on every mesh and whichever face is integrated.
-#include "cleft/verify/newton_rate.hpp"
+#include "cleft/tangent_check/newton_rate.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,10 +15,10 @@ class NewtonRate : public testing::TestWithParam<std::tuple<int, const char*>> {
 TEST_P(NewtonRate, IsQuadraticInNineOfTenIncrements) {
   const auto& [across, side] = GetParam();
   Case table(fmt::format("block, {} across, {}, iterations", across, side));
-  const scene::Scene scene = scene_of("block", {fmt::format("mesh.cells=[{},{}]", across, 2 * across),
-                                                std::string("crack.main.negative_side=") + side});
-  const Solved run = solve(verify::until_rounding(scene));
-  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  const problem::Specification scene = scene_of("block", {fmt::format("mesh.cells=[{},{}]", across, 2 * across),
+                                                          std::string("crack.main.negative_side=") + side});
+  const Solved run = solve(tangent_check::until_rounding(scene));
+  const auto verdict = tangent_check::judge(tangent_check::newton_rates(*run.directory), {});
   EXPECT_TRUE(verdict.enough) << verdict.judged << " of " << verdict.increments << " can be judged";
   EXPECT_EQ(verdict.increments, 52U);
   table.compare("share of the increments of order 1.8 or more",
@@ -46,8 +46,8 @@ TEST_P(YieldingNewtonRate, IsQuadraticInNineOfTenIncrements) {
   Case table(fmt::format("{}, {} cells, {} steps, iterations", p.scene, p.cells, p.steps));
   const auto scene =
       scene_of(p.scene, {fmt::format("mesh.cells={}", p.cells), fmt::format("loading.steps={}", p.steps)});
-  const Solved run = solve(verify::until_rounding(scene));
-  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  const Solved run = solve(tangent_check::until_rounding(scene));
+  const auto verdict = tangent_check::judge(tangent_check::newton_rates(*run.directory), {});
   EXPECT_TRUE(verdict.enough) << verdict.judged << " of " << verdict.increments << " can be judged";
   table.compare("share of the increments of order 1.8 or more",
                 static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cleft/verify/fit.hpp"
-#include "cleft/verify/profile.hpp"
+#include "cleft/convergence/fit.hpp"
+#include "cleft/convergence/profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 // Pressure over the current height, and the part of it in which the points press.
 struct Pressed {
-  verify::Profile profile;
+  convergence::Profile profile;
   std::array<double, 2> zone{1.0, -1.0};
 };
 
@@ -63,7 +63,7 @@ TEST(Objectivity, ThePressureDoesNotDependOnTheFaceThatIsIntegrated) {
   table.compare("distance over the inner 80 %, 64 across", inner.back(), exact(0),
                 within(0.005, "0.2 % by a prototype of the method"));
   for (const auto& [name, values] : {std::pair{"inner 90 %", &most}, {"inner 80 %", &inner}}) {
-    const auto fit = verify::fit_limit(h, *values, {.limit = 0.0});
+    const auto fit = convergence::fit_limit(h, *values, {.limit = 0.0});
     EXPECT_GT(fit.order - fit.order_pm, 0.0) << "it falls for certain, over the " << name;
     table.compare(fmt::format("order of the distance over the {}", name), fit.order, exact(2.0),
                   within(1.0, "the coarse meshes have another contact zone; it must fall clearly"));

@@ -14,8 +14,8 @@
 namespace cleft::verification {
 namespace {
 
-using scene::RunResult;
-using Kind = scene::CriticalPoint::Kind;
+using simulation::RunResult;
+using Kind = results::CriticalPoint::Kind;
 using Overrides = std::vector<std::string>;
 
 // A scene run into a folder that vanishes with the object.
@@ -30,12 +30,12 @@ std::string scratch(const std::string& name) {
   return folder;
 }
 
-Ran run(const scene::Scene& scene) {
+Ran run(const problem::Specification& scene) {
   const std::string folder = scratch("run");
-  scene::RunOptions options;
+  simulation::RunOptions options;
   options.directory = folder;
-  Ran out{scene::run(scene, options), {}};
-  out.load = scene::read_csv(folder + "/history.csv").column("load");
+  Ran out{simulation::run(scene, options), {}};
+  out.load = results::read_csv(folder + "/history.csv").column("load");
   std::filesystem::remove_all(folder);
   return out;
 }
@@ -102,11 +102,11 @@ TEST(Snap, UnderLoadControlIsAJumpThatTheRunTells) {
 TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   const auto scene = hard_scene("roof", {kJoint, "loading.steps=25"});
   const std::string whole = scratch("whole"), parts = scratch("parts");
-  scene::RunOptions options;
+  simulation::RunOptions options;
   options.directory = whole;
-  const auto result = scene::run(scene, options);
+  const auto result = simulation::run(scene, options);
   ASSERT_EQ(result.end, RunResult::End::Done);
-  const auto history = scene::read_csv(whole + "/history.csv");
+  const auto history = results::read_csv(whole + "/history.csv");
   const auto touching = history.column("contact_points"), slipping = history.column("slipping_points");
   bool stuck = false, slipped = false;
   for (std::size_t k = 0; k < touching.size(); ++k) {
@@ -122,12 +122,12 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   options.stop = &stop;
   for (const long at : {top / 2, top, (top + foot) / 2, foot, foot + 5, 100000L}) {
     stop = false;
-    options.observer = [&](const scene::Progress& p) { stop = p.iteration == 0 && p.increment >= at; };
-    (void)scene::run(scene, options);
+    options.observer = [&](const simulation::Progress& p) { stop = p.iteration == 0 && p.increment >= at; };
+    (void)simulation::run(scene, options);
     options.resume = true;
   }
   for (const char* file : {"history.csv", "crack_joint.csv", "fields.pvd"})
-    EXPECT_EQ(scene::read_bytes(parts + "/" + file), scene::read_bytes(whole + "/" + file)) << file;
+    EXPECT_EQ(results::read_bytes(parts + "/" + file), results::read_bytes(whole + "/" + file)) << file;
   std::filesystem::remove_all(whole);
   std::filesystem::remove_all(parts);
 }
@@ -152,13 +152,13 @@ TEST(Snap, LeadsBackToAHoldAndPastAChangeOfRate) {
 TEST(Snap, GoesOnWhereAContactThatOpensBendsThePath) {
   const auto scene =
       scene_of("s_crack", {"loading.steps=50", "loading.control=path", "crack.main.contact.method=mortar"});
-  const auto model = scene::build_model(scene);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  const auto model = problem::build_model(scene);
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   double largest = 0.0;
   while (stepper.state().load > 0.42 || stepper.state().load == largest) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<assembly::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
-    ASSERT_LT(std::get<assembly::Step>(outcome).number, 150);
+    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_LT(std::get<solve::Step>(outcome).number, 150);
     largest = std::max(largest, stepper.state().load);
   }
   EXPECT_NEAR(largest, 0.677, 0.002);
@@ -221,21 +221,21 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Plateau, IsResumedBitForBit) {
   const auto scene = hard_scene("plateau");
   const std::string whole = scratch("whole_plateau"), parts = scratch("parts_plateau");
-  scene::RunOptions options;
+  simulation::RunOptions options;
   options.directory = whole;
-  (void)scene::run(scene, options);
+  (void)simulation::run(scene, options);
   options.directory = parts;
   std::atomic<bool> stop = false;
   options.stop = &stop;
-  options.observer = [&](const scene::Progress& p) { stop = p.iteration == 0; };  // after every increment
+  options.observer = [&](const simulation::Progress& p) { stop = p.iteration == 0; };  // after every increment
   RunResult result;
   do {
     stop = false;
-    result = scene::run(scene, options);
+    result = simulation::run(scene, options);
     options.resume = true;
   } while (result.end == RunResult::End::Stopped);
   EXPECT_EQ(result.failure.kind, assembly::FailureKind::Plateau);
-  EXPECT_EQ(scene::read_bytes(parts + "/history.csv"), scene::read_bytes(whole + "/history.csv"));
+  EXPECT_EQ(results::read_bytes(parts + "/history.csv"), results::read_bytes(whole + "/history.csv"));
   std::filesystem::remove_all(whole);
   std::filesystem::remove_all(parts);
 }

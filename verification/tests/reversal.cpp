@@ -23,22 +23,22 @@ constexpr int kLegs = 6;
 
 struct Body {
   const char* name;
-  scene::Kinematics kinematics;
+  problem::Kinematics kinematics;
   contact::Mortar mortar;
 };
 
-scene::Scene square(const Body& body, int steps_a_leg) {
-  scene::Scene scene;
-  scene::StructuredMesh mesh;
+problem::Specification square(const Body& body, int steps_a_leg) {
+  problem::Specification scene;
+  problem::StructuredMesh mesh;
   mesh.box = {0.0, 0.0, 1.0, kHeight};
   mesh.cells = {8, 8};
   scene.mesh.kind = mesh;
   scene.kinematics = body.kinematics;
-  scene::MaterialSpec material;
+  problem::MaterialSpec material;
   material.model = "hencky";
   material.young = kYoung;
   scene.materials = {material};
-  scene::CrackSpec crack;
+  problem::CrackSpec crack;
   crack.name = "joint";
   crack.points = {{0.0, 0.4437}, {1.0, 0.4437}};
   crack.friction = kFriction;
@@ -78,10 +78,10 @@ void prescribe(assembly::Model& model) {
 
 // Displacement and shear force at the end of every increment.
 std::vector<std::array<double, 2>> loop(const Body& body, int steps_a_leg) {
-  const scene::Scene scene = square(body, steps_a_leg);
-  assembly::Model model = scene::build_model(scene);
+  const problem::Specification scene = square(body, steps_a_leg);
+  assembly::Model model = problem::build_model(scene);
   prescribe(model);
-  assembly::LoadStepper stepper(model, scene::step_controls(scene));
+  solve::LoadStepper stepper(model, problem::step_controls(scene));
   std::vector<std::array<double, 2>> out;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
@@ -120,9 +120,9 @@ TEST_P(Reversal, FollowsElasticityUpToTheConeFromEveryReversalWhateverTheIncreme
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Reversal,
-                         testing::Values(Body{"mortar", scene::Kinematics::Finite, {true}},
-                                         Body{"exact mortar", scene::Kinematics::Finite, {true, 2.0, 0.0}},
-                                         Body{"mortar small strain", scene::Kinematics::Small, {true}}),
+                         testing::Values(Body{"mortar", problem::Kinematics::Finite, {true}},
+                                         Body{"exact mortar", problem::Kinematics::Finite, {true, 2.0, 0.0}},
+                                         Body{"mortar small strain", problem::Kinematics::Small, {true}}),
                          [](const auto& body) {
                            std::string name = body.param.name;
                            std::erase(name, ' ');

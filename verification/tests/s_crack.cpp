@@ -15,7 +15,7 @@ const std::string kElastic = "material={model='hencky',young=1e10,poisson=0.3}";
 
 // `shortened`: increments in which a cell would flow by more than a tenth.
 void expect_full_shear(const Solved& run, int cuts, int shortened = 0) {
-  EXPECT_EQ(run.result.end, scene::RunResult::End::Done);
+  EXPECT_EQ(run.result.end, simulation::RunResult::End::Done);
   EXPECT_LE(run.result.increments, 200 + cuts + shortened);
   EXPECT_LE(run.result.cuts, cuts);
   EXPECT_LE(run.result.iterations, 4 * run.result.increments);
@@ -185,7 +185,7 @@ TEST(SCrack, YieldsAtTheTipsFromTenPercentOnAndMayLocaliseAtOnce) {
   EXPECT_LT(least[first], 0.0);
   EXPECT_LT(least.back(), -0.1);
   const auto scene = scene_of("s_crack");
-  const double h = scene.materials[0].young / scene::penalty_scale(scene, scene::build_model(scene))[0];
+  const double h = scene.materials[0].young / problem::penalty_scale(scene, problem::build_model(scene))[0];
   fmt::print("S-shaped crack: largest slip {:.2f} m, {:.0f} elements\n", run.at("max_slip", 1.0),
              run.at("max_slip", 1.0) / h);
 }

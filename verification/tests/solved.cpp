@@ -23,7 +23,7 @@ std::shared_ptr<const std::string> scratch_directory() {
 
 }  // namespace
 
-scene::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides) {
+problem::Specification scene_of(const std::string& name, const std::vector<std::string>& overrides) {
   return scene::read_scene(std::string(CLEFT_VERIFICATION) + "/scenes/" + name + ".toml", overrides);
 }
 
@@ -31,19 +31,19 @@ Solved solve(const std::string& scene, const std::vector<std::string>& overrides
   return solve(scene_of(scene, overrides));
 }
 
-Solved solve(const scene::Scene& scene) {
+Solved solve(const problem::Specification& scene) {
   Solved out;
   out.directory = scratch_directory();
-  scene::RunOptions options;
+  simulation::RunOptions options;
   options.directory = *out.directory;
-  out.result = scene::run(scene, options);
-  EXPECT_EQ(out.result.end, scene::RunResult::End::Done) << assembly::describe(out.result.failure);
-  out.history = scene::read_csv(*out.directory + "/history.csv");
+  out.result = simulation::run(scene, options);
+  EXPECT_EQ(out.result.end, simulation::RunResult::End::Done) << assembly::describe(out.result.failure);
+  out.history = results::read_csv(*out.directory + "/history.csv");
   return out;
 }
 
-SolvedModel::SolvedModel(const scene::Scene& scene)
-    : model(scene::build_model(scene)), stepper(model, scene::step_controls(scene)) {
+SolvedModel::SolvedModel(const problem::Specification& scene)
+    : model(problem::build_model(scene)), stepper(model, problem::step_controls(scene)) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
@@ -62,7 +62,7 @@ double Solved::at(const std::string& column, double load) const {
 }
 
 std::vector<Row> Solved::profile(const std::string& crack, double load) const {
-  const auto table = scene::read_csv(*directory + "/crack_" + crack + ".csv");
+  const auto table = results::read_csv(*directory + "/crack_" + crack + ".csv");
   std::vector<Row> rows;
   for (const auto& cells : table.rows) {
     if (std::fabs(std::stod(cells[0]) - load) > 1e-9) continue;
@@ -73,8 +73,8 @@ std::vector<Row> Solved::profile(const std::string& crack, double load) const {
   return rows;
 }
 
-scene::CsvTable reference(const std::string& file) {
-  return scene::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
+results::CsvTable reference(const std::string& file) {
+  return results::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
 }
 
 double farthest(const std::vector<double>& values, double from) {

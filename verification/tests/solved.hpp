@@ -6,23 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "cleft/scene/files.hpp"
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
+#include "cleft/results/files.hpp"
 #include "cleft/scene/read.hpp"
-#include "cleft/scene/run.hpp"
+#include "cleft/simulation/run.hpp"
 
 namespace cleft::verification {
 
 /// A verification scene with overrides.
-scene::Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {});
+problem::Specification scene_of(const std::string& name, const std::vector<std::string>& overrides = {});
 
 /// A row of a table, by the names of its columns.
 using Row = std::map<std::string, std::string>;
 inline double number(const Row& row, const std::string& column) { return std::stod(row.at(column)); }
 
 struct Solved {
-  scene::RunResult result;
-  scene::CsvTable history;
+  simulation::RunResult result;
+  results::CsvTable history;
   std::shared_ptr<const std::string> directory;  ///< vanishes with the last copy
 
   /// A column of history.csv at a load that the run hit.
@@ -34,20 +34,20 @@ struct Solved {
 
 /// Runs a verification scene to its end; the running test fails if it does not get there.
 Solved solve(const std::string& scene, const std::vector<std::string>& overrides = {});
-Solved solve(const scene::Scene& scene);
+Solved solve(const problem::Specification& scene);
 
 /// A scene solved in memory, with nothing written; the running test fails if it does not get to its end.
 struct SolvedModel {
-  explicit SolvedModel(const scene::Scene& scene);
+  explicit SolvedModel(const problem::Specification& scene);
   SolvedModel(const SolvedModel&) = delete;
   SolvedModel& operator=(const SolvedModel&) = delete;
 
   assembly::Model model;
-  assembly::LoadStepper stepper;
+  solve::LoadStepper stepper;
 };
 
 /// Rows of a reference table; lines that start with # tell its provenance.
-scene::CsvTable reference(const std::string& file);
+results::CsvTable reference(const std::string& file);
 
 /// The value that is farthest from `from`; `from` if there is none.
 double farthest(const std::vector<double>& values, double from);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "cleft/verify/between.hpp"
-#include "cleft/verify/newton_rate.hpp"
-#include "cleft/verify/tangent.hpp"
+#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/newton_rate.hpp"
+#include "cleft/tangent_check/tangent.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -23,7 +23,7 @@ constexpr double kToCompression = 90.0;  // degrees: the compression's axis
 constexpr const char* kNoExtrapolation = "solver.extrapolate=false";
 
 std::vector<Row> advances_of(const Solved& run) {
-  const auto table = scene::read_csv(*run.directory + "/growth.csv");
+  const auto table = results::read_csv(*run.directory + "/growth.csv");
   std::vector<Row> rows;
   for (const auto& cells : table.rows) {
     Row& row = rows.emplace_back();
@@ -111,8 +111,8 @@ TEST(WingCrack, GrowsAtTheSameLoadsWithHalfTheIncrements) {
 
 TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   Case table("wing crack, iterations");
-  const Solved run = solve(verify::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
-  const auto verdict = verify::judge(verify::newton_rates(*run.directory), {});
+  const Solved run = solve(tangent_check::until_rounding(scene_of("wing_crack", {kNoExtrapolation})));
+  const auto verdict = tangent_check::judge(tangent_check::newton_rates(*run.directory), {});
   EXPECT_TRUE(verdict.enough);
   table.compare("share of the increments of order 1.8 or more",
                 static_cast<double>(verdict.reach) / static_cast<double>(verdict.judged), exact(1.0),
@@ -120,14 +120,14 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   EXPECT_GE(verdict.lowest(), 1.5);
   EXPECT_EQ(run.result.cuts, 0);
 
-  verify::TangentReport report;
+  tangent_check::TangentReport report;
   const auto scene = scene_of("wing_crack");
-  auto body = scene::make_evolution(scene, scene::build_model(scene));
+  auto body = growth::Evolution(scene, problem::build_model(scene));
   int after_growth = 0;
-  EXPECT_FALSE(verify::visit_between(body, 5, [&](const verify::StateBetween& between) {
+  EXPECT_FALSE(tangent_check::visit_between(body, 5, [&](const tangent_check::StateBetween& between) {
     after_growth += between.model.cracks[0].points.size() > 2;
-    EXPECT_FALSE(
-        verify::check_tangent(between.model, between.before.history, between.displacement, between.load, 1e-6, report));
+    EXPECT_FALSE(tangent_check::check_tangent(between.model, between.before.history, between.displacement, between.load,
+                                              1e-6, report));
     return true;
   }));
   EXPECT_GE(after_growth, 8);

@@ -1,4 +1,4 @@
-#include "advice.hpp"
+#include "cleft/assembly/advice.hpp"
 
 namespace cleft::assembly {
 

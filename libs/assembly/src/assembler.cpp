@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advice.hpp"
+#include "cleft/assembly/advice.hpp"
+#include "cleft/assembly/places.hpp"
 #include "cleft/support/timer.hpp"
 #include "contact_points.hpp"
 #include "patch_forces.hpp"
-#include "places.hpp"
 
 namespace cleft::assembly {
 namespace {

@@ -1,4 +1,4 @@
-#include "places.hpp"
+#include "cleft/assembly/places.hpp"
 
 #include <fmt/format.h>
 

@@ -114,6 +114,8 @@ std::array<Vec2, 3> corners(const Mesh& mesh, Index t) {
   return {mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]};
 }
 
+double element_size(const Mesh& mesh, Index t) { return std::sqrt(2.0 * triangle_area(mesh, t)); }
+
 double triangle_area(const Mesh& mesh, Index t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return 0.5 * cross(mesh.nodes[b] - mesh.nodes[a], mesh.nodes[c] - mesh.nodes[a]);

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "bracket.hpp"
-#include "cleft/assembly/intensities.hpp"
 #include "cleft/geometry/advance.hpp"
+#include "cleft/growth/intensities.hpp"
 #include "cleft/growth/transfer.hpp"
+#include "cleft/problem/build.hpp"
+#include "cleft/problem/tip_reach.hpp"
 #include "cleft/support/error.hpp"
 
 namespace cleft::growth {
@@ -20,6 +22,13 @@ using assembly::Failure, assembly::FailureKind;
 // else relieve the other.
 constexpr double kTogether = 1e-3;
 constexpr int kStraightLooks = 6;  // after that the bracket is halved
+
+// Why a criterion has no answer, and what to try.
+constexpr const char* kNoMean = "the disc around the tip is smaller than an element";
+constexpr const char* kRankineAdvice = "a larger growth.radius, or a finer mesh where the crack grows";
+constexpr const char* kNoIntensities =
+    "the body ends, or the crack bends, within half an element size: too near for stress intensities";
+constexpr const char* kHoopStressAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
 
 std::string name_of(const std::vector<geometry::Crack>& cracks, const TipName& tip) {
   return fmt::format("crack '{}', {}", cracks[tip.crack].name, tip.end == 0 ? "start" : "end");
@@ -36,15 +45,13 @@ double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 }  // namespace
 
-Evolution::Evolution(assembly::Model model, assembly::StepControls controls, std::vector<std::optional<Law>> laws,
-                     Recut recut)
-    : controls_(std::move(controls)),
-      laws_(std::move(laws)),
-      recut_(std::move(recut)),
+Evolution::Evolution(problem::Specification specification, assembly::Model model)
+    : specification_(std::move(specification)),
+      controls_(problem::step_controls(specification_)),
       model_(std::make_unique<const assembly::Model>(std::move(model))),
-      stepper_(std::make_unique<assembly::LoadStepper>(*model_, controls_)) {
-  if (std::ranges::none_of(laws_, [](const auto& law) { return law.has_value(); })) laws_.clear();
-  if (laws_.empty()) return;
+      stepper_(std::make_unique<solve::LoadStepper>(*model_, controls_)) {
+  if (!grows(specification_)) return;
+  for (const auto& crack : specification_.cracks) laws_.push_back(crack.growth);
   for (const auto& crack : model_->cracks) {
     record_.points.push_back(crack.points);
     record_.s_first.push_back(crack.s_first);
@@ -72,7 +79,7 @@ Evolution::Judged Evolution::judge(const assembly::Equilibrium& body) const {
       const TipName tip{c, end};
       if (!may_grow(tip)) continue;
       const Demand demand =
-          std::visit([&](const auto& criterion) { return criterion.judge(body, tip); }, laws_[c]->criterion);
+          std::visit([&](const auto& criterion) { return growth::judge(criterion, body, tip); }, laws_[c]->criterion);
       if (std::isnan(demand.measure)) return {{{tip, demand}}, demand.measure};
       out.tips.push_back({tip, demand});
       out.largest = std::max(out.largest, demand.measure);
@@ -87,30 +94,27 @@ Evolution::Judged Evolution::judge(const assembly::Equilibrium& body) const {
 std::optional<Failure> Evolution::no_answer(const Judged& judged) const {
   if (!std::isnan(judged.largest)) return std::nullopt;
   const TipName& tip = judged.tips.front().tip;
-  return std::visit(
-      [&]<class Criterion>(const Criterion&) {
-        return Failure{FailureKind::NotFinite,
-                       fmt::format("at the {}: {}", name_of(model_->cracks, tip), Criterion::kNoAnswer),
-                       Criterion::kAdvice};
-      },
-      laws_[tip.crack]->criterion);
+  const bool rankine = std::holds_alternative<problem::Rankine>(laws_[tip.crack]->criterion);
+  return Failure{FailureKind::NotFinite,
+                 fmt::format("at the {}: {}", name_of(model_->cracks, tip), rankine ? kNoMean : kNoIntensities),
+                 rankine ? kRankineAdvice : kHoopStressAdvice};
 }
 
-std::variant<Step, Failure> Evolution::advance(const assembly::IterationObserver& observer) {
+std::variant<Step, Failure> Evolution::advance(const solve::IterationObserver& observer) {
   if (!laws_.empty()) return record_.due.empty() ? increase(observer) : grow(observer);
   auto outcome = stepper_->advance(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
-  return Step{std::move(std::get<assembly::Step>(outcome)), {}, 0.0};
+  return Step{std::move(std::get<solve::Step>(outcome)), {}, 0.0};
 }
 
-std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserver& observer) {
+std::variant<Step, Failure> Evolution::increase(const solve::IterationObserver& observer) {
   const double load = stepper_->state().load, within = tolerance();
   int looks = 0;
   const auto look = [&] {
     return next_look({load, record_.measure, record_.beyond, record_.measure_beyond}, within, looks++ > kStraightLooks);
   };
   Judged judged;
-  assembly::Event event;
+  solve::Event event;
   if (record_.beyond < Record::kNever) event.before = look();
   event.judge = [&](const assembly::Equilibrium& body) -> std::optional<double> {
     judged = judge(body);
@@ -125,7 +129,7 @@ std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserve
   record_.measure = judged.largest;
   record_.due = judged.tips;
   if (!record_.due.empty() || stepper_->state().load >= record_.beyond) record_.beyond = Record::kNever;
-  return Step{std::move(std::get<assembly::Step>(outcome)), {}, 0.0};
+  return Step{std::move(std::get<solve::Step>(outcome)), {}, 0.0};
 }
 
 // Where an advance of this length ends. With branch functions a tip stays where it is put, however near the boundary:
@@ -133,9 +137,9 @@ std::variant<Step, Failure> Evolution::increase(const assembly::IterationObserve
 // told.
 Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) const {
   const auto& ahead = due.demand.ahead;
-  const Index ball = assembly::ball_at(*model_, due.tip.crack, due.tip.end);
+  const Index ball = problem::ball_at(*model_, due.tip.crack, due.tip.end);
   if (ball != kNone) {
-    const Vec2 beyond = from + (length + assembly::least_reach(*model_, ball)) * ahead;
+    const Vec2 beyond = from + (length + problem::least_reach(*model_, ball)) * ahead;
     if (const Vec2 to = geometry::reach(model_->mesh, from, beyond); to != beyond) return to;
   }
   return geometry::reach(model_->mesh, from, from + length * ahead);
@@ -144,7 +148,7 @@ Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) con
 // Lets one tip advance as far as there is room.
 Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const {
   const auto& [tip, demand] = due;
-  const Law& law = *laws_[tip.crack];
+  const problem::GrowthLaw& law = *laws_[tip.crack];
   const geometry::Tip from = geometry::tip_of(cracks[tip.crack], tip.end);
   Advance out{.tip = tip,
               .number = record_.tips[tip.crack][tip.end].advances + 1,
@@ -181,19 +185,19 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
   return out;
 }
 
-void Evolution::count(const assembly::LoadStepper& done_with) {
+void Evolution::count(const solve::LoadStepper& done_with) {
   assembly_before_ += done_with.assembler().seconds();
   solver_before_ += done_with.solver().seconds();
 }
 
-void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper) {
+void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<solve::LoadStepper> stepper) {
   count(*stepper_);
   stepper_ = std::move(stepper);
   model_ = std::move(model);
 }
 
 std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<Due>& due,
-                                                             const assembly::IterationObserver& observer) const {
+                                                             const solve::IterationObserver& observer) const {
   Attempt out;
   out.cracks = model_->cracks;
   for (const Due& one : due) out.advances.push_back(lengthen(one, out.cracks));
@@ -206,11 +210,11 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
     return failure;
   };
   try {
-    out.model = std::make_unique<const assembly::Model>(recut_(out.cracks));
+    out.model = std::make_unique<const assembly::Model>(problem::recut(specification_, *model_, out.cracks));
   } catch (const InputError& error) {
     return failed({FailureKind::Refused, error.what(), "fewer advances (growth.most)"});
   }
-  out.stepper = std::make_unique<assembly::LoadStepper>(*out.model, controls_);
+  out.stepper = std::make_unique<solve::LoadStepper>(*out.model, controls_);
   out.origin = transfer(*model_, stepper_->state(), *out.model);
   out.stepper->restore(out.origin, stepper_->place());
   auto outcome = out.stepper->settle(observer);
@@ -218,7 +222,7 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
     failure->advice += "; or shorter advances (growth.advance)";
     return failed(std::move(*failure));
   }
-  out.step = std::move(std::get<assembly::Step>(outcome));
+  out.step = std::move(std::get<solve::Step>(outcome));
   return out;
 }
 
@@ -229,11 +233,11 @@ std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const
   bool any = false;
   for (std::size_t k = 0; k < due.size(); ++k) {
     const Advance& advance = tried.advances[k];
-    const Law& law = *laws_[advance.tip.crack];
+    const problem::GrowthLaw& law = *laws_[advance.tip.crack];
     if (!law.correct_direction || advance.length == 0.0 || advance.stop == Stop::Boundary) continue;
-    const Demand after =
-        std::visit([&](const auto& criterion) { return criterion.judge(tried.stepper->equilibrium(), advance.tip); },
-                   law.criterion);
+    const Demand after = std::visit(
+        [&](const auto& criterion) { return growth::judge(criterion, tried.stepper->equilibrium(), advance.tip); },
+        law.criterion);
     if (std::isnan(after.measure)) continue;
     due[k].demand.ahead = (due[k].demand.ahead + after.ahead).normalized();
     any = true;
@@ -241,7 +245,7 @@ std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const
   return any ? std::optional(due) : std::nullopt;
 }
 
-std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& observer) {
+std::variant<Step, Failure> Evolution::grow(const solve::IterationObserver& observer) {
   auto first = attempt(record_.due, observer);
   if (auto* failure = std::get_if<Failure>(&first)) return std::move(*failure);
   auto& made = std::get<Attempt>(first);
@@ -272,7 +276,7 @@ std::variant<Step, Failure> Evolution::grow(const assembly::IterationObserver& o
   return out;
 }
 
-void Evolution::restore(Record record, assembly::State state, assembly::StepPlace place, assembly::ContactRoom room) {
+void Evolution::restore(Record record, assembly::State state, solve::StepPlace place, assembly::ContactRoom room) {
   auto cracks = model_->cracks;
   bool grown = false;
   for (std::size_t c = 0; c < record.points.size(); ++c) {
@@ -282,8 +286,8 @@ void Evolution::restore(Record record, assembly::State state, assembly::StepPlac
   }
   record_ = std::move(record);
   if (grown) {
-    auto model = std::make_unique<const assembly::Model>(recut_(cracks));
-    auto stepper = std::make_unique<assembly::LoadStepper>(*model, controls_);
+    auto model = std::make_unique<const assembly::Model>(problem::recut(specification_, *model_, cracks));
+    auto stepper = std::make_unique<solve::LoadStepper>(*model, controls_);
     replace(std::move(model), std::move(stepper));
   }
   stepper_->restore(std::move(state), place, std::move(room));
@@ -295,7 +299,7 @@ assembly::AssemblySeconds Evolution::assembly_seconds() const {
   return sum;
 }
 
-assembly::SolverSeconds Evolution::solver_seconds() const {
+solve::SolverSeconds Evolution::solver_seconds() const {
   auto sum = solver_before_;
   sum += stepper_->solver().seconds();
   return sum;

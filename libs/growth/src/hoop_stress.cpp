@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cleft/assembly/intensities.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/criterion.hpp"
+#include "cleft/growth/intensities.hpp"
+#include "cleft/problem/tip_reach.hpp"
 
 namespace cleft::growth {
 
@@ -16,17 +17,17 @@ HoopDirection largest_hoop_stress(const enrichment::Intensities& k) {
   return {2.0 * half, c * c * (k1 * c - 3.0 * k2 * std::sin(half))};
 }
 
-Demand HoopStress::judge(const assembly::Equilibrium& body, const TipName& tip) const {
+Demand judge(const problem::HoopStress& criterion, const assembly::Equilibrium& body, const TipName& tip) {
   Demand out;
-  const Index ball = assembly::ball_at(body.model, tip.crack, tip.end);
-  out.intensities = assembly::intensities_by_integral(body, ball);
-  out.elements = assembly::elements_within_reach(body.model, ball);
+  const Index ball = problem::ball_at(body.model, tip.crack, tip.end);
+  out.intensities = intensities_by_integral(body, ball);
+  out.elements = problem::elements_within_reach(body.model, ball);
   if (std::isnan(out.intensities.K_I)) {
     out.measure = Demand::kUnknown;
     return out;
   }
   const HoopDirection largest = largest_hoop_stress(out.intensities);
-  out.measure = largest.intensity / toughness;
+  out.measure = largest.intensity / criterion.toughness;
   const Vec2 ahead = geometry::tip_of(body.model.cracks[tip.crack], tip.end).ahead;
   out.ahead = std::cos(largest.turn) * ahead + std::sin(largest.turn) * turn_left(ahead);
   return out;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "cleft/assembly/material_places.hpp"
 #include "cleft/geometry/common_area.hpp"
-#include "material_places.hpp"
 
 namespace cleft::growth {
 namespace {
@@ -14,30 +14,30 @@ using constitutive::PlasticState;
 using Plastic = std::vector<PlasticState>;
 using Shares = std::vector<constitutive::WeightedState>;
 
-double common_area(const Part& a, const Part& b) {
+double common_area(const assembly::Part& a, const assembly::Part& b) {
   double area = 0.0;
   for (const auto& one : a.triangles)
     for (const auto& other : b.triangles) area += geometry::common_area(one, other);
   return area;
 }
 
-bool are_same(const std::vector<Part>& some, const std::vector<Part>& others) {
-  return std::ranges::equal(some, others, [](const Part& a, const Part& b) {
+bool are_same(const std::vector<assembly::Part>& some, const std::vector<assembly::Part>& others) {
+  return std::ranges::equal(some, others, [](const assembly::Part& a, const assembly::Part& b) {
     return a.triangles == b.triangles && a.points.last - a.points.first == b.points.last - b.points.first;
   });
 }
 
-double area_of(const Model& model, const Part& part) {
+double area_of(const Model& model, const assembly::Part& part) {
   double area = 0.0;
   assembly::for_each_material_point(model, part.points, [&](std::size_t, const auto&, double own) { area += own; });
   return area;
 }
 
 // Of each old part an area, spread over its points like their weights.
-Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts,
-              const std::function<double(const Part&)>& area) {
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<assembly::Part>& parts,
+              const std::function<double(const assembly::Part&)>& area) {
   Shares out;
-  for (const Part& part : parts) {
+  for (const assembly::Part& part : parts) {
     const double counts = area(part);
     if (!(counts > 0.0)) continue;
     const double scale = counts / area_of(model, part);
@@ -49,10 +49,12 @@ Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part
 }
 
 // What it has in common with a new part; the whole triangle where that, a sliver, has nothing in common with any.
-Shares shares(const Model& model, const Plastic& plastic, const std::vector<Part>& parts, const Part& now) {
-  const auto common = shares(model, plastic, parts, [&](const Part& part) { return common_area(part, now); });
-  return common.empty() ? shares(model, plastic, parts, [&](const Part& part) { return area_of(model, part); })
-                        : common;
+Shares shares(const Model& model, const Plastic& plastic, const std::vector<assembly::Part>& parts,
+              const assembly::Part& now) {
+  const auto common = shares(model, plastic, parts, [&](const assembly::Part& part) { return common_area(part, now); });
+  return common.empty()
+             ? shares(model, plastic, parts, [&](const assembly::Part& part) { return area_of(model, part); })
+             : common;
 }
 
 PlasticState mean(const assembly::Material& material, const Shares& shares) {
@@ -77,7 +79,7 @@ Plastic plastic_on(const Model& from, const Plastic& plastic, const Model& to) {
                   out.begin() + points_now[t].first);
       continue;
     }
-    for (const Part& part : now) {
+    for (const assembly::Part& part : now) {
       const PlasticState state = mean(to.material(part.points.first), shares(from, plastic, before, part));
       std::fill(out.begin() + part.points.first, out.begin() + part.points.last, state);
     }

@@ -1,30 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/assembly/material_places.hpp"
 #include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/criterion.hpp"
-#include "material_places.hpp"
 
 namespace cleft::growth {
 namespace {
-
-// Calls visit(point, area) for the material points with an area within a radius of a tip. Returns whether the disc is
-// larger than every triangle that it meets.
-template <class Visit>
-bool around(const assembly::Model& m, const TipName& tip, double radius, const Visit& visit) {
-  const geometry::Disc disc{geometry::tip_of(m.cracks[tip.crack], tip.end).point, radius};
-  double all = 0.0, largest = 0.0;
-  assembly::for_each_material_point(m, [&](std::size_t p, const auto& point, double) {
-    const double area = area_within(disc, m, static_cast<Index>(p));
-    if (area == 0.0) return;
-    all += area;
-    largest = std::max(largest, geometry::triangle_area(m.mesh, point.element));
-    visit(static_cast<Index>(p), area);
-  });
-  return all > largest;
-}
 
 struct Principal {
   double value = 0.0;  // the larger one
@@ -39,16 +23,13 @@ Principal largest_principal(const Mat2& s) {
 
 }  // namespace
 
-bool spans_elements(const assembly::Model& model, const TipName& tip, double radius) {
-  return around(model, tip, radius, [](Index, double) {});
-}
-
 // theory (10.1), (10.2)
-Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) const {
+Demand judge(const problem::Rankine& criterion, const assembly::Equilibrium& body, const TipName& tip) {
   const auto& m = body.model;
   double area = 0.0;
   Mat2 stress = Mat2::Zero(), deformation = Mat2::Zero();
-  const bool spans = around(m, tip, radius, [&](Index p, double within) {
+  const geometry::Disc disc{geometry::tip_of(m.cracks[tip.crack], tip.end).point, criterion.radius};
+  const bool spans = assembly::visit_within(disc, m, [&](Index p, double within) {
     const Mat2 F = assembly::material_deformation(m, p, body.displacement);
     const auto& remembered = body.plastic.empty() ? constitutive::PlasticState{} : body.plastic[p];
     area += within;
@@ -62,7 +43,7 @@ Demand Rankine::judge(const assembly::Equilibrium& body, const TipName& tip) con
   }
   const Principal largest = largest_principal(stress / area);
   out.stress = largest.value;
-  out.measure = largest.value / strength;
+  out.measure = largest.value / criterion.strength;
   const Vec2 pulled_back = m.is_small_strain() ? largest.axis : Vec2(deformation.transpose() * largest.axis);
   out.ahead = turn_left(pulled_back).normalized();
   if (out.ahead.dot(geometry::tip_of(m.cracks[tip.crack], tip.end).ahead) < 0.0) out.ahead = -out.ahead;

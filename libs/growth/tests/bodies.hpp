@@ -9,8 +9,8 @@
 
 namespace cleft::growth::bodies {
 
-inline assembly::StepControls in_steps(int steps) {
-  assembly::StepControls controls;
+inline solve::StepControls in_steps(int steps) {
+  solve::StepControls controls;
   controls.steps = steps;
   return controls;
 }

@@ -25,7 +25,7 @@ TEST(Evolution, WithoutALawIsTheLoadStepper) {
   Evolution body(square(), bodies::in_steps(4));
   const auto run = bodies::run(body);
   const assembly::Model model = square();
-  assembly::LoadStepper stepper(model, bodies::in_steps(4));
+  solve::LoadStepper stepper(model, bodies::in_steps(4));
   while (!stepper.done()) ASSERT_EQ(stepper.advance().index(), 0u);
   EXPECT_EQ(run.steps.size(), 4u);
   EXPECT_EQ(body.stepper().state().displacement, stepper.state().displacement);
@@ -244,7 +244,7 @@ TEST(Evolution, SetsFreeTheDifferenceOfTwoStationaryCracks) {
       const assembly::Model model = square(cracks);
       auto controls = bodies::in_steps(1);
       controls.outputs = {load};
-      assembly::LoadStepper stepper(model, controls);
+      solve::LoadStepper stepper(model, controls);
       EXPECT_EQ(stepper.advance().index(), 0u);
       EXPECT_EQ(stepper.state().load, load);
       return stepper.state().energies.elastic + stepper.state().energies.contact;
@@ -328,7 +328,7 @@ TEST(Evolution, ARestoredRunGoesOnBitForBit) {
   struct Kept {
     Record record;
     assembly::State state;
-    assembly::StepPlace place;
+    solve::StepPlace place;
     assembly::ContactRoom room;
   };
   std::vector<Kept> kept;

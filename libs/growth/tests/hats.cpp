@@ -20,7 +20,7 @@ struct Slid {
     square.cells = {16, 16};
     square.mortar = true;
     model = square();
-    assembly::LoadStepper stepper(model, bodies::in_steps(4));
+    solve::LoadStepper stepper(model, bodies::in_steps(4));
     while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
     state = stepper.state();
   }
@@ -83,7 +83,7 @@ TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) 
   EXPECT_GT(kept, 2);
   EXPECT_GE(fresh, 2);
 
-  assembly::LoadStepper stepper(longer, bodies::in_steps(4));
+  solve::LoadStepper stepper(longer, bodies::in_steps(4));
   stepper.restore(state, {});
   EXPECT_EQ(stepper.settle().index(), 0u);
 }

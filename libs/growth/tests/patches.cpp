@@ -94,7 +94,7 @@ struct HandedOn {
   Model before, after;
   assembly::State state, handed;
   explicit HandedOn(const PatchedKind& kind) : square(square_of(kind)), before(square()) {
-    assembly::LoadStepper stepper(before, bodies::in_steps(10));
+    solve::LoadStepper stepper(before, bodies::in_steps(10));
     while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
     state = stepper.state();
     after = square({geometry::extended(square.cracks[0], 1, {0.55, 0.66})});
@@ -214,7 +214,7 @@ TEST(GrowingPatches, SetFreeTheDifferenceOfTwoStationaryCracks) {
       const Model model = square(cracks);
       auto controls = bodies::in_steps(1);
       controls.outputs = {run.loads_of_growth()[0]};
-      assembly::LoadStepper stepper(model, controls);
+      solve::LoadStepper stepper(model, controls);
       EXPECT_EQ(stepper.advance().index(), 0u);
       return stepper.state().energies.elastic + stepper.state().energies.contact;
     };

@@ -41,7 +41,7 @@ struct Torn {
     square.top = {mirrored ? -0.004 : 0.004, 0.008};
     if (mirrored) square.diagonal = geometry::Diagonal::Right;
     before = square();
-    assembly::LoadStepper stepper(before, bodies::in_steps(4));
+    solve::LoadStepper stepper(before, bodies::in_steps(4));
     while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
     state = stepper.state();
     after = square({geometry::extended(square.cracks[0], 1, at(0.55, 0.66))});

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "bodies.hpp"
-#include "cleft/assembly/intensities.hpp"
+#include "cleft/growth/intensities.hpp"
 
 namespace cleft::growth {
 namespace {

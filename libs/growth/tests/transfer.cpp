@@ -21,7 +21,7 @@ struct SlidAndGrown {
     square.cracks = {{"main", {{0.31, 0.42}, {0.68, 0.61}}, ball}};
     square.cells = {16, 16};
     before = square();
-    assembly::LoadStepper stepper(before, bodies::in_steps(4));
+    solve::LoadStepper stepper(before, bodies::in_steps(4));
     while (!stepper.done()) EXPECT_EQ(stepper.advance().index(), 0u);
     state = stepper.state();
     auto longer = square.cracks;

@@ -126,7 +126,7 @@ Json json_of(const Run& run) {
 }  // namespace
 
 std::string shapes_json(const std::vector<Run>& runs) {
-  Json j{{"palette", palette()}, {"runs", Json::array()}};
+  Json j{{"palette", plot::palette()}, {"runs", Json::array()}};
   for (const auto& run : runs)
     if (!run.shapes.empty()) j["runs"].push_back(json_of(run));
   std::string out;

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "cleft/report/figure.hpp"
+#include "cleft/plot/figure.hpp"
 #include "run_data.hpp"
 
 namespace cleft::report {
 
 /// A figure and what the page says below it.
 struct PageFigure {
-  Drawing drawing;
+  plot::Drawing drawing;
   std::string caption;
 };
 using PageFigures = std::vector<PageFigure>;
@@ -27,7 +27,7 @@ PageFigures profile_figures(const std::vector<Run>& runs);
 PageFigures solver_figures(const std::vector<Run>& runs);
 
 /// The deformed mesh of one output. `prefix` begins the name of the drawing.
-Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, const std::string& prefix);
+plot::Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, const std::string& prefix);
 
 /// Seconds by phase of a run that has ended, the rest of the total last.
 std::vector<std::pair<std::string, double>> phases_of(const Run& run);
@@ -36,14 +36,14 @@ std::vector<std::pair<std::string, double>> phases_of(const Run& run);
 std::string with_label(const std::vector<Run>& runs, std::size_t run, const std::string& text);
 
 /// A curve `k` of run `r`: dashes tell the curves of a run apart, and colours those of a single run or several runs.
-Curve curve_of(const std::vector<Run>& runs, std::size_t r, std::size_t k, const std::string& title);
+plot::Curve curve_of(const std::vector<Run>& runs, std::size_t r, std::size_t k, const std::string& title);
 
 /// A figure without a unit in its y label yet, whose curves hold SI numbers.
 struct Sketch {
   std::string name, title, x_label, y_label, y_unit;
   std::string caption;
-  Scale scale = Scale::Linear;
-  std::vector<Curve> curves;
+  plot::Scale scale = plot::Scale::Linear;
+  std::vector<plot::Curve> curves;
 };
 /// Gives it the unit that keeps its numbers readable and adds it to the figures, unless no curve has a point.
 void add(PageFigures& figures, Sketch sketch);

@@ -2,7 +2,7 @@
 #include <array>
 #include <map>
 
-#include "cleft/scene/description.hpp"
+#include "cleft/problem/specification.hpp"
 #include "figures.hpp"
 #include "unit.hpp"
 
@@ -19,13 +19,13 @@ bool all_zero(const std::vector<double>& values) {
 }
 
 // The columns of every run over the load, but those that stay zero.
-std::vector<Curve> over_load(const std::vector<Run>& runs, const std::vector<Column>& columns) {
-  std::vector<Curve> curves;
+std::vector<plot::Curve> over_load(const std::vector<Run>& runs, const std::vector<Column>& columns) {
+  std::vector<plot::Curve> curves;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (std::size_t k = 0; k < columns.size(); ++k) {
       auto y = runs[r].column(columns[k].name);
       if (y.empty() || all_zero(y)) continue;
-      Curve c = curve_of(runs, r, k, columns[k].title);
+      plot::Curve c = curve_of(runs, r, k, columns[k].title);
       c.x = runs[r].column("load");
       c.y = std::move(y);
       curves.push_back(std::move(c));
@@ -46,7 +46,7 @@ std::vector<double> displacement_of(const Run& run, const std::string& boundary,
   if (!run.info.is_object() || !run.info.contains("scene")) return {};
   for (const auto& b : run.info["scene"].value("boundary", nlohmann::ordered_json::array())) {
     if (b.value("name", "") != boundary || b.contains("rotation") || b.value(component, 0.0) == 0.0) continue;
-    scene::Amplitude factor;
+    problem::Amplitude factor;
     factor.points = b.at("amplitude").get<decltype(factor.points)>();
     std::vector<double> u;
     for (const double load : run.column("load")) u.push_back(b[component].get<double>() * factor(load));
@@ -62,7 +62,7 @@ void add_reactions(PageFigures& figures, const std::vector<Run>& runs, char axis
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto names = boundaries_of(runs[r], force);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      Curve c = curve_of(runs, r, k, names[k]);
+      plot::Curve c = curve_of(runs, r, k, names[k]);
       c.x = runs[r].column("load");
       c.y = runs[r].column(force + names[k]);
       load.curves.push_back(c);
@@ -145,7 +145,7 @@ void add_intensities(PageFigures& figures, const std::vector<Run>& runs) {
       std::size_t k = 0;
       for (const auto& name : runs[r].history.header) {
         if (!name.starts_with(mode + "_")) continue;
-        Curve c = curve_of(runs, r, k, name);
+        plot::Curve c = curve_of(runs, r, k, name);
         c.x = runs[r].column("load");
         c.y = runs[r].column(name);
         if (std::ranges::any_of(c.y, [](double v) { return v == v; })) s.curves.push_back(std::move(c));
@@ -170,11 +170,11 @@ void add_growth(PageFigures& figures, const std::vector<Run>& runs) {
     const auto& table = *runs[r].growth;
     const std::string path = runs[r].directory + "/growth.csv";
     const auto load = column_of(table, "load", path), length = column_of(table, "length", path);
-    std::map<std::string, Curve> tips;
+    std::map<std::string, plot::Curve> tips;
     for (std::size_t k = 0; k < load.size(); ++k) {
       const std::string name = table.rows[k].at(2) + ", " + table.rows[k].at(3);  // crack and tip
       if (!tips.contains(name)) tips[name] = curve_of(runs, r, tips.size(), name);
-      Curve& c = tips[name];
+      plot::Curve& c = tips[name];
       c.points = false;
       const double before = c.y.empty() ? 0.0 : c.y.back();
       c.x.insert(c.x.end(), {load[k], load[k]});
@@ -202,7 +202,8 @@ PageFigures reaction_figures(const std::vector<Run>& runs) {
 PageFigures history_figures(const std::vector<Run>& runs) {
   PageFigures figures;
   for (const auto& p : plots())
-    add(figures, {p.name, p.title, "load", p.y_label, p.unit, p.caption, Scale::Linear, over_load(runs, p.columns)});
+    add(figures,
+        {p.name, p.title, "load", p.y_label, p.unit, p.caption, plot::Scale::Linear, over_load(runs, p.columns)});
   add_intensities(figures, runs);
   add_growth(figures, runs);
   return figures;

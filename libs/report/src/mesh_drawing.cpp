@@ -58,7 +58,7 @@ std::string faces_of(const Shape& shape, const Placement& place) {
 
 }  // namespace
 
-Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, const std::string& prefix) {
+plot::Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, const std::string& prefix) {
   constexpr std::size_t kManyTriangles = 6000;  // whose edges would hide the colours
   const double factor = run.factor;
   const Box& box = run.drawn;
@@ -67,14 +67,14 @@ Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, cons
   const Range& range = run.ranges[field];
   const Unit metres = unit_for(size.maxCoeff(), "m"),
              unit = unit_for(std::max(std::fabs(range.low), std::fabs(range.high)), kind.unit);
-  Drawing d{fmt::format("{}{}_{:04}", prefix, kind.name, shape.number), ""};
+  plot::Drawing d{fmt::format("{}{}_{:04}", prefix, kind.name, shape.number), ""};
   d.height = static_cast<int>(std::clamp(120.0 + 340.0 * size.y() / size.x(), 300.0, 760.0));
   const Placement place{beginning_of(box), factor, metres.scale};
   const Vec2 low = metres.scale * (box.low - place.beginning - 0.02 * size),
              high = metres.scale * (box.high - place.beginning + 0.02 * size);
   const auto axis = [&](char letter) {
     const double from = letter == 'x' ? place.beginning.x() : place.beginning.y();
-    return in_quotes(
+    return plot::in_quotes(
         metres.label((factor == 1.0 ? std::string(1, letter)
                                     : fmt::format("{} + {:g} u{}", letter == 'x' ? 'X' : 'Y', factor, letter)) +
                      (from == 0.0 ? "" : fmt::format(" {} {} m", from < 0.0 ? '+' : '-', std::fabs(from)))));
@@ -82,10 +82,10 @@ Drawing mesh_drawing(const Run& run, const Shape& shape, std::size_t field, cons
   d.script = fmt::format(
       "set title {}\nset xlabel {}\nset ylabel {}\nset cblabel {}\nset cbrange [{:.6g}:{:.6g}]\n"
       "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset size ratio -1\n{}",
-      in_quotes(fmt::format("{} at load {:.4g}{}", run.label, shape.load,
-                            factor == 1.0 ? "" : fmt::format(", displacements x {:g}", factor))),
-      axis('x'), axis('y'), in_quotes(unit.label(kind.title)), unit.scale * range.low, unit.scale * range.high, low.x(),
-      high.x(), low.y(), high.y(), palette_commands());
+      plot::in_quotes(fmt::format("{} at load {:.4g}{}", run.label, shape.load,
+                                  factor == 1.0 ? "" : fmt::format(", displacements x {:g}", factor))),
+      axis('x'), axis('y'), plot::in_quotes(unit.label(kind.title)), unit.scale * range.low, unit.scale * range.high,
+      low.x(), high.x(), low.y(), high.y(), plot::palette_commands());
   d.script += "$triangles << EOD\n" + triangles_of(shape, field, place, unit) + "EOD\n$faces << EOD\n" +
               faces_of(shape, place) + "EOD\n";
   d.script += "plot $triangles using 1:2:3 with polygons fs solid noborder fc palette z notitle";

@@ -40,7 +40,7 @@ struct Part {
 };
 
 struct Profile {
-  const scene::CsvTable& table;
+  const results::CsvTable& table;
   std::string path;
   std::vector<double> column(const char* name) const { return column_of(table, name, path); }
 
@@ -74,14 +74,14 @@ std::vector<double> pick(const std::vector<double>& values, const std::vector<st
   return out;
 }
 
-bool lacks(const scene::CsvTable& table, const Quantity& q) {
+bool lacks(const results::CsvTable& table, const Quantity& q) {
   return q.may_lack && std::ranges::find(table.header, q.column) == table.header.end();
 }
 
 // Colours tell outputs of runs apart, dashes the faces.
-std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
+std::vector<plot::Curve> curves_of(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
   constexpr std::size_t kMostOutputs = 6, kMarks = 80;
-  std::vector<Curve> curves;
+  std::vector<plot::Curve> curves;
   int colour = -1;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const auto& c : runs[r].cracks) {
@@ -91,7 +91,7 @@ std::vector<Curve> curves_of(const std::vector<Run>& runs, const std::string& cr
       std::string output;
       for (const auto& part : profile.parts(std::max<std::size_t>(1, kMostOutputs / runs.size()))) {
         if (part.output != std::exchange(output, part.output)) ++colour;
-        Curve curve;
+        plot::Curve curve;
         curve.title = with_label(runs, r, fmt::format("{}, {} face", part.output, part.side));
         curve.x = pick(s, part.rows);
         curve.y = pick(y, part.rows);
@@ -111,7 +111,7 @@ bool in_any(const std::vector<Run>& runs, const std::string& crack, const Quanti
 }
 
 PageFigure figure_of(const std::vector<Run>& runs, const std::string& crack, const Quantity& q) {
-  Figure f;
+  plot::Figure f;
   f.curves = curves_of(runs, crack, q);
   double far = 0.0, most = 0.0;
   for (const auto& c : f.curves) {
@@ -124,7 +124,7 @@ PageFigure figure_of(const std::vector<Run>& runs, const std::string& crack, con
     for (double& y : c.y) y *= unit.scale;
   }
   const auto one_face = [&](const std::string& face) {
-    return std::ranges::all_of(f.curves, [&](const Curve& c) { return c.title.ends_with(face); });
+    return std::ranges::all_of(f.curves, [&](const plot::Curve& c) { return c.title.ends_with(face); });
   };
   f.title = fmt::format("{} along crack {}", q.title, crack);
   for (const std::string face : {", left face", ", right face"})
@@ -137,7 +137,7 @@ PageFigure figure_of(const std::vector<Run>& runs, const std::string& crack, con
     }
   f.x_label = along.label("reference arc length s");
   f.y_label = unit.label(q.label);
-  return {drawing_of(f, fmt::format("crack_{}_{}", crack, q.column)), q.caption};
+  return {plot::drawing_of(f, fmt::format("crack_{}_{}", crack, q.column)), q.caption};
 }
 
 }  // namespace

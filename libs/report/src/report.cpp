@@ -32,9 +32,9 @@ std::vector<std::size_t> chosen_fields(const Run& run, const std::vector<std::st
 }
 
 // Of every output; the page takes the last of each run.
-std::vector<Drawing> mesh_drawings(const std::vector<Run>& runs, const std::vector<std::string>& fields,
-                                   PageFigures& last) {
-  std::vector<Drawing> out;
+std::vector<plot::Drawing> mesh_drawings(const std::vector<Run>& runs, const std::vector<std::string>& fields,
+                                         PageFigures& last) {
+  std::vector<plot::Drawing> out;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const std::size_t field : chosen_fields(runs[r], fields))
       for (const auto& shape : runs[r].shapes) {
@@ -57,7 +57,7 @@ std::string directory_of(const ReportOptions& options) {
 ReportResult write_report(const ReportOptions& options) {
   const auto runs = read_runs(options.runs);
   PageFigures last;
-  std::vector<Drawing> drawings = mesh_drawings(runs, options.fields, last);
+  std::vector<plot::Drawing> drawings = mesh_drawings(runs, options.fields, last);
   const std::vector<Section> sections{{"Reactions", reaction_figures(runs)},
                                       {"Along the cracks", profile_figures(runs)},
                                       {"Mesh at the end", last},
@@ -65,14 +65,14 @@ ReportResult write_report(const ReportOptions& options) {
                                       {"Solution", solver_figures(runs)}};
   for (const auto& section : sections)
     for (const auto& figure : section.figures) {
-      const bool there = std::ranges::find(drawings, figure.drawing.name, &Drawing::name) != drawings.end();
+      const bool there = std::ranges::find(drawings, figure.drawing.name, &plot::Drawing::name) != drawings.end();
       if (!there) drawings.push_back(figure.drawing);
     }
   const std::string directory = directory_of(options);
-  remove_drawings(directory, kOrigin);
-  if (const auto why = draw(drawings, directory, kOrigin)) throw std::runtime_error(*why);
+  plot::remove_drawings(directory, kOrigin);
+  if (const auto why = plot::draw(drawings, directory, kOrigin)) throw std::runtime_error(*why);
   const std::string page = directory + "/index.html";
-  scene::write_atomically(page, page_text(runs, sections, directory));
+  results::write_atomically(page, page_text(runs, sections, directory));
   return {page, drawings.size()};
 }
 

@@ -7,13 +7,13 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cleft/scene/vtu.hpp"
+#include "cleft/results/vtu.hpp"
 #include "run_data.hpp"
 
 namespace cleft::report {
 namespace {
 
-using scene::VtuArray, scene::VtuGrid;
+using results::VtuArray, results::VtuGrid;
 
 constexpr std::array kKinds{
     FieldKind{"stress_yy", "vertical Cauchy stress, tension positive", "Pa", "cauchy_stress", 1},
@@ -38,7 +38,7 @@ void add_points(const VtuGrid& grid, Shape& shape, const std::string& path) {
 }
 
 void add_bulk(const std::string& path, Run& run, Shape& shape) {
-  const VtuGrid grid = scene::read_vtu(path);
+  const VtuGrid grid = results::read_vtu(path);
   if (grid.cell_size != 3) throw std::runtime_error(path + ": not of triangles");
   add_points(grid, shape, path);
   shape.bulk_points = grid.points.size();
@@ -139,7 +139,7 @@ std::vector<Output> outputs_of(const Run& run) {
   const std::string collection = run.directory + "/fields.pvd";
   std::vector<Output> out;
   if (!std::filesystem::exists(collection)) return out;
-  for (const auto& entry : scene::read_pvd(collection)) {
+  for (const auto& entry : results::read_pvd(collection)) {
     if (entry.part == 0) out.push_back({out.empty() ? 0 : out.back().number + 1, entry.load, {}, {}});
     if (out.empty() || entry.part < 0 || entry.part > 1)
       throw std::runtime_error(collection + ": has a part that a run does not write");
@@ -169,7 +169,7 @@ void read_shapes(Run& run) {
     shape.load = outputs[k].load;
     shape.row = outputs[k].row;
     add_bulk(outputs[k].files[0], run, shape);
-    if (!outputs[k].files[1].empty()) add_points(scene::read_vtu(outputs[k].files[1]), shape, outputs[k].files[1]);
+    if (!outputs[k].files[1].empty()) add_points(results::read_vtu(outputs[k].files[1]), shape, outputs[k].files[1]);
     run.shapes.push_back(std::move(shape));
   }
   if (run.shapes.empty()) return;

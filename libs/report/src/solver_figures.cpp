@@ -14,14 +14,14 @@ constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  // parts a li
 
 // One line an increment: of one run coloured by load, of several by run.
 void add_residuals(PageFigures& figures, const std::vector<Run>& runs) {
-  Figure f;
+  plot::Figure f;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (!runs[r].newton || runs[r].newton->rows.empty()) continue;
     const std::string path = runs[r].directory + "/newton.csv";
     const auto& table = *runs[r].newton;
     const auto step = column_of(table, "step", path), load = column_of(table, "load", path),
                iteration = column_of(table, "iteration", path), residual = column_of(table, "residual", path);
-    Curve c = curve_of(runs, r, 0, "");
+    plot::Curve c = curve_of(runs, r, 0, "");
     c.dash = 0;
     c.points = true;
     for (std::size_t k = 0; k < step.size(); ++k) {
@@ -41,17 +41,17 @@ void add_residuals(PageFigures& figures, const std::vector<Run>& runs) {
   f.title = "Newton's iteration";
   f.x_label = "evaluation of the residual in its increment";
   f.y_label = "residual, relative to the scale of forces";
-  f.scale = Scale::LogY;
+  f.scale = plot::Scale::LogY;
   if (runs.size() == 1) f.shade_label = "load";
   figures.push_back(
-      {drawing_of(f, "newton"), "A line an increment; quadratic convergence doubles the digits at each step."});
+      {plot::drawing_of(f, "newton"), "A line an increment; quadratic convergence doubles the digits at each step."});
 }
 
 void add_increments(PageFigures& figures, const std::vector<Run>& runs) {
   Sketch size, work;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto load = runs[r].column("load"), iterations = runs[r].column("iterations"), cuts = runs[r].column("cuts");
-    Curve c = curve_of(runs, r, 0, "");
+    plot::Curve c = curve_of(runs, r, 0, "");
     c.dash = 0;
     c.x = load;
     for (std::size_t k = 0; k < load.size(); ++k) c.y.push_back(k > 0 ? load[k] - load[k - 1] : load[k]);
@@ -99,7 +99,7 @@ void add_phases(PageFigures& figures, const std::vector<Run>& runs) {
   s += "EOD\nplot ";
   for (std::size_t k = 0; k < columns.size(); ++k)
     s += fmt::format("{}$phases using {}{} lc rgb '{}' {}", k > 0 ? ", " : "", k + 2, k == 0 ? ":xtic(1)" : "",
-                     colour(k), columns.size() > 1 ? "title " + in_quotes(titles[k]) : "notitle");
+                     plot::colour(k), columns.size() > 1 ? "title " + plot::in_quotes(titles[k]) : "notitle");
   figures.push_back(
       {{"phases", s + "\n"}, "Other: the rest of the total; for a resumed run also what its earlier parts took."});
 }

@@ -364,8 +364,8 @@ std::vector<Section> Section::sections(std::string_view key, const std::string& 
   return all;
 }
 
-Amplitude Section::amplitude() const {
-  Amplitude out;
+problem::Amplitude Section::amplitude() const {
+  problem::Amplitude out;
   if (!has("amplitude")) return out;
   out.points = pairs("amplitude");
   if (out.points.empty()) fail("amplitude", "empty; allowed: at least one pair [load, factor]");
@@ -375,8 +375,8 @@ Amplitude Section::amplitude() const {
   return out;
 }
 
-FieldSpec Section::field(std::string_view key) const {
-  FieldSpec out;
+problem::FieldSpec Section::field(std::string_view key) const {
+  problem::FieldSpec out;
   out.at = at(key);
   if (const auto* table = node(key).as_table()) {
     for (const auto& [name, value] : *table) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cleft/scene/description.hpp"
+#include "cleft/problem/specification.hpp"
 
 namespace cleft::scene {
 
@@ -70,9 +70,9 @@ class Section {
   std::optional<Section> section(std::string_view key, const std::string& kind) const;
   /// [[key]], or a single [key].
   std::vector<Section> sections(std::string_view key, const std::string& kind) const;
-  Amplitude amplitude() const;
+  problem::Amplitude amplitude() const;
   /// NAME or { name = NAME, parameter = number, ... }
-  FieldSpec field(std::string_view key) const;
+  problem::FieldSpec field(std::string_view key) const;
 
  private:
   const toml::node& node(std::string_view key) const;

@@ -13,14 +13,14 @@ namespace {
 
 const char* const kOneMaterial = "the fields are those of one body; allowed with a single material only";
 
-void read_formulation(const Section& s, Scene& out) {
+void read_formulation(const Section& s, problem::Specification& out) {
   const bool small = s.has("kinematics") && s.choice("kinematics", {"finite", "small"}) == "small";
   out.tip_enrichment = s.number_or("tip_enrichment", 0.0, kNotNegative, "0 (none) or a radius, m");
   out.f_bar = s.flag_or("f_bar", false);
-  out.kinematics = small ? Kinematics::Small : Kinematics::Finite;
+  out.kinematics = small ? problem::Kinematics::Small : problem::Kinematics::Finite;
 }
 
-void read_contact(const Section& s, CrackSpec& out) {
+void read_contact(const Section& s, problem::CrackSpec& out) {
   const bool springs = s.has("normal_penalty") || s.has("tangential_penalty");
   out.mortar.on = s.has("method") ? s.choice("method", {"penalty", "mortar"}) == "mortar" : !springs;
   for (const char* key : {"normal_penalty", "tangential_penalty"})
@@ -36,8 +36,8 @@ void read_contact(const Section& s, CrackSpec& out) {
   out.mortar.hat_width = s.number_or("hat_width", width, kPositive, "a positive number of element sizes");
 }
 
-CrackSpec read_crack(const Section& s, std::size_t number) {
-  CrackSpec out;
+problem::CrackSpec read_crack(const Section& s, std::size_t number) {
+  problem::CrackSpec out;
   out.at = s.at();
   out.name = s.has("name") ? s.text("name") : fmt::format("crack{}", number + 1);
   const bool usable = !out.name.empty() && std::all_of(out.name.begin(), out.name.end(), [](unsigned char c) {
@@ -47,8 +47,8 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
   if (s.has("curve")) {
     s.choice("curve", {"sine"});
     if (s.has("points")) s.fail("points", "a crack is either a polyline or a curve; allowed: points or curve");
-    CrackSpec::Sine sine{s.point("start"), s.point("end"), s.number("amplitude"),
-                         s.number_or("periods", 1.0, kPositive, "a positive number")};
+    problem::CrackSpec::Sine sine{s.point("start"), s.point("end"), s.number("amplitude"),
+                                  s.number_or("periods", 1.0, kPositive, "a positive number")};
     if (sine.start == sine.end) s.fail("end", "the curve has no length; allowed: an end apart from the start");
     out.sine = sine;
   } else {
@@ -81,7 +81,7 @@ CrackSpec read_crack(const Section& s, std::size_t number) {
 }
 
 // The boundaries of a mesh that is read from a file show only then.
-void check_on(const Section& s, const std::string& on, const MeshSpec& mesh) {
+void check_on(const Section& s, const std::string& on, const problem::MeshSpec& mesh) {
   const auto names = boundary_names(mesh);
   if (names && !names->contains(on))
     s.fail("on", fmt::format("there is no boundary '{}'; allowed: {}", on, fmt::join(*names, ", ")));
@@ -99,8 +99,8 @@ std::optional<double> read_component(const Section& s, const char* key) {
   return s.maybe_number(key, {}, "a finite number, m, or \"free\"");
 }
 
-BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
-  BoundarySpec out;
+problem::BoundarySpec read_boundary(const Section& s, const problem::MeshSpec& mesh, int& boxes) {
+  problem::BoundarySpec out;
   out.at = s.at();
   if (s.has("on") == s.has("box")) s.fail("on", "says where the boundary is; allowed: exactly one of on and box");
   if (s.has("on")) {
@@ -135,7 +135,7 @@ BoundarySpec read_boundary(const Section& s, const MeshSpec& mesh, int& boxes) {
   return out;
 }
 
-void check_boundaries(const Section& root, const std::vector<BoundarySpec>& all) {
+void check_boundaries(const Section& root, const std::vector<problem::BoundarySpec>& all) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const auto &a = all[k], &b = all[i];
@@ -152,10 +152,10 @@ void check_boundaries(const Section& root, const std::vector<BoundarySpec>& all)
   if (all.empty()) throw InputError(root.at(), "boundary", "missing; allowed: at least one [[boundary]] section");
 }
 
-LoadingSpec read_loading(const Section& s) {
-  LoadingSpec out;
+problem::LoadingSpec read_loading(const Section& s) {
+  problem::LoadingSpec out;
   out.steps = s.integer_or("steps", out.steps, 1, 1000000);
-  if (s.has("control") && s.choice("control", {"load", "path"}) == "path") out.control = assembly::Control::Path;
+  if (s.has("control") && s.choice("control", {"load", "path"}) == "path") out.control = solve::Control::Path;
   if (!s.has("outputs")) return out;
   out.every_step = false;
   out.outputs = s.numbers("outputs", std::nullopt);
@@ -170,8 +170,8 @@ LoadingSpec read_loading(const Section& s) {
   return out;
 }
 
-SolverSpec read_solver(const Section& s) {
-  SolverSpec out;
+problem::SolverSpec read_solver(const Section& s) {
+  problem::SolverSpec out;
   const Section::Check small = [](double x) { return x > 0.0 && x < 1.0; };
   out.accuracy = s.number_or(
       "accuracy", 0.0, [](double x) { return x == 0.0 || (x >= 1e-6 && x <= 0.1); }, "0 (none), or 1e-6 to 0.1");
@@ -198,10 +198,10 @@ SolverSpec read_solver(const Section& s) {
 
 }  // namespace
 
-Scene read_scene(const std::string& file, const std::vector<std::string>& overrides) {
+problem::Specification read_scene(const std::string& file, const std::vector<std::string>& overrides) {
   const Document document = Document::load(file, overrides);
   const Section root(document, document.root, "", "");
-  Scene out;
+  problem::Specification out;
   out.file = file;
   if (root.has("title")) out.title = root.text("title");
   root.require("mesh");
@@ -209,7 +209,7 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   root.require("material");
   for (const auto& s : root.sections("material", "material")) out.materials.push_back(read_material(s));
   if (out.materials.empty()) root.fail("material", "empty; allowed: a [material] section");
-  const bool flows = std::ranges::any_of(out.materials, is_plastic), several = out.materials.size() > 1;
+  const bool flows = std::ranges::any_of(out.materials, problem::is_plastic), several = out.materials.size() > 1;
   if (const auto s = root.section("formulation", "formulation")) read_formulation(*s, out);
   std::set<std::string> names;
   for (const auto& s : root.sections("crack", "crack")) {
@@ -228,12 +228,12 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   for (const auto& s : root.sections("boundary", "boundary")) {
     out.boundaries.push_back(read_boundary(s, out.mesh, boxes));
     if (out.boundaries.back().field && several) s.fail("field", kOneMaterial);
-    if (out.boundaries.back().rotation && out.kinematics == Kinematics::Small)
+    if (out.boundaries.back().rotation && out.kinematics == problem::Kinematics::Small)
       s.fail("rotation", "would strain a body at small strain; allowed with kinematics = \"finite\" only");
   }
   check_boundaries(root, out.boundaries);
   for (const auto& s : root.sections("traction", "traction")) {
-    TractionSpec t{s.at(), s.text("on"), s.point("value"), s.amplitude()};
+    problem::TractionSpec t{s.at(), s.text("on"), s.point("value"), s.amplitude()};
     check_on(s, t.on, out.mesh);
     out.tractions.push_back(t);
   }
@@ -246,9 +246,9 @@ Scene read_scene(const std::string& file, const std::vector<std::string>& overri
   }
   if (const auto s = root.section("loading", "loading")) {
     out.loading = read_loading(*s);
-    if (out.loading.control == assembly::Control::Path && std::ranges::any_of(out.materials, is_viscous))
+    if (out.loading.control == solve::Control::Path && std::ranges::any_of(out.materials, problem::is_viscous))
       s->fail("control", "a path has no time for viscosity; allowed with viscosity: load");
-    if (out.loading.control == assembly::Control::Path && grows(out))
+    if (out.loading.control == solve::Control::Path && grows(out))
       s->fail("control", "cracks grow at a load that is looked for on the way up; allowed with growth: load");
   }
   if (const auto s = root.section("solver", "solver")) out.solver = read_solver(*s);

@@ -4,8 +4,8 @@
 
 namespace cleft::scene {
 
-growth::Law read_growth(const Section& s) {
-  growth::Law out;
+problem::GrowthLaw read_growth(const Section& s) {
+  problem::GrowthLaw out;
   const bool rankine = s.choice("criterion", {"rankine", "hoop-stress"}) == "rankine";
   for (const auto& [key, belongs] : {std::pair{"strength", rankine}, {"radius", rankine}, {"toughness", !rankine}})
     if (s.has(key) && !belongs)
@@ -13,10 +13,10 @@ growth::Law read_growth(const Section& s) {
                               "correct_direction, load_tolerance",
                               s.text("criterion"), rankine ? "strength, radius" : "toughness"));
   if (rankine)
-    out.criterion = growth::Rankine{s.number("strength", kPositive, "a positive number, Pa"),
-                                    s.number("radius", kPositive, "a positive number, m")};
+    out.criterion = problem::Rankine{s.number("strength", kPositive, "a positive number, Pa"),
+                                     s.number("radius", kPositive, "a positive number, m")};
   else
-    out.criterion = growth::HoopStress{s.number("toughness", kPositive, "a positive number, Pa m^0.5")};
+    out.criterion = problem::HoopStress{s.number("toughness", kPositive, "a positive number, Pa m^0.5")};
   out.advance = s.number("advance", kPositive, "a positive number, m");
   out.most = s.integer_or("most", out.most, 1, 1000000);
   if (s.has("tips")) {

@@ -6,7 +6,7 @@
 namespace cleft::scene {
 namespace {
 
-MaterialSpec::Region read_region(const Section& s) {
+problem::MaterialSpec::Region read_region(const Section& s) {
   if (s.is_text("region")) {
     if (s.text("region").empty()) s.fail("region", "empty; allowed: the name of a region");
     return {s.text("region"), "", {}};
@@ -18,8 +18,8 @@ MaterialSpec::Region read_region(const Section& s) {
 
 }  // namespace
 
-MaterialSpec read_material(const Section& s) {
-  MaterialSpec out;
+problem::MaterialSpec read_material(const Section& s) {
+  problem::MaterialSpec out;
   out.at = s.at();
   if (s.has("region")) out.region = read_region(s);
   out.model = s.choice("model", {"hencky", "neo-hookean", "j2", "drucker-prager"});

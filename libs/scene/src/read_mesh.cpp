@@ -4,7 +4,8 @@
 #include <filesystem>
 
 #include "cleft/geometry/lines.hpp"
-#include "cleft/scene/files.hpp"
+#include "cleft/results/files.hpp"
+#include "cleft/scene/json.hpp"
 #include "read_parts.hpp"
 
 namespace cleft::scene {
@@ -35,8 +36,8 @@ std::array<double, 4> read_extent(const Section& s) {
   return {v[0], v[1], v[2], v[3]};
 }
 
-StructuredMesh::Focus read_focus(const Section& s, const StructuredMesh& mesh) {
-  StructuredMesh::Focus out;
+problem::StructuredMesh::Focus read_focus(const Section& s, const problem::StructuredMesh& mesh) {
+  problem::StructuredMesh::Focus out;
   const auto box = s.numbers("box", 4);
   std::copy(box.begin(), box.end(), out.box.begin());
   for (int k = 0; k < 2; ++k)
@@ -54,8 +55,8 @@ StructuredMesh::Focus read_focus(const Section& s, const StructuredMesh& mesh) {
   return out;
 }
 
-StructuredMesh read_structured(const Section& s) {
-  StructuredMesh out;
+problem::StructuredMesh read_structured(const Section& s) {
+  problem::StructuredMesh out;
   out.box = read_extent(s);
   const auto cells = s.numbers("cells", 2);
   for (int k = 0; k < 2; ++k) {
@@ -106,8 +107,8 @@ geometry::Outline read_outline(const Section& s) {
   return out;
 }
 
-DelaunayMesh read_delaunay(const Section& s) {
-  DelaunayMesh out;
+problem::DelaunayMesh read_delaunay(const Section& s) {
+  problem::DelaunayMesh out;
   out.outline = read_outline(s);
   out.size = s.number("size", kPositive, "a positive number, m");
   out.crack_size = s.number_or("crack_size", out.size, kPositive, "a positive number, m");
@@ -120,19 +121,19 @@ DelaunayMesh read_delaunay(const Section& s) {
   return out;
 }
 
-GmshMesh read_gmsh_file(const Section& s, const std::string& scene) {
-  GmshMesh out;
+problem::GmshMesh read_gmsh_file(const Section& s, const std::string& scene) {
+  problem::GmshMesh out;
   out.file = (std::filesystem::path(scene).parent_path() / s.text("file")).lexically_normal().string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(out.file, error))
     s.fail("file", fmt::format("there is no file {}; allowed: a mesh of Gmsh, relative to the scene", out.file));
-  out.hash = hash_of(read_bytes(out.file));
+  out.hash = hash_of(results::read_bytes(out.file));
   return out;
 }
 
 }  // namespace
 
-MeshSpec read_mesh(const Section& s, const std::string& scene) {
+problem::MeshSpec read_mesh(const Section& s, const std::string& scene) {
   const std::string kind = s.has("kind") ? s.choice("kind", {"structured", "delaunay", "gmsh"}) : "structured";
   for (const auto& [key, kinds] : kMeshKeys)
     if (s.has(key) && std::ranges::find(kinds, kind) == kinds.end())
@@ -142,9 +143,9 @@ MeshSpec read_mesh(const Section& s, const std::string& scene) {
   return {s.at(), read_structured(s)};
 }
 
-std::optional<std::set<std::string>> boundary_names(const MeshSpec& mesh) {
-  if (std::holds_alternative<GmshMesh>(mesh.kind)) return std::nullopt;
-  const auto* delaunay = std::get_if<DelaunayMesh>(&mesh.kind);
+std::optional<std::set<std::string>> boundary_names(const problem::MeshSpec& mesh) {
+  if (std::holds_alternative<problem::GmshMesh>(mesh.kind)) return std::nullopt;
+  const auto* delaunay = std::get_if<problem::DelaunayMesh>(&mesh.kind);
   if (!delaunay) return std::set<std::string>{"left", "right", "bottom", "top"};
   std::set<std::string> names(delaunay->outline.outer.names.begin(), delaunay->outline.outer.names.end());
   for (const auto& hole : delaunay->outline.holes) names.insert(hole.names.begin(), hole.names.end());

@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "cleft/scene/description.hpp"
+#include "cleft/problem/specification.hpp"
 #include "document.hpp"
 
 namespace cleft::scene {
@@ -13,13 +13,13 @@ inline const Section::Check kPositive = [](double x) { return x > 0.0; };
 inline const Section::Check kNotNegative = [](double x) { return x >= 0.0; };
 
 /// `scene` is the scene's file, beside which a mesh's file is looked for.
-MeshSpec read_mesh(const Section& s, const std::string& scene);
+problem::MeshSpec read_mesh(const Section& s, const std::string& scene);
 
-MaterialSpec read_material(const Section& s);
+problem::MaterialSpec read_material(const Section& s);
 
-growth::Law read_growth(const Section& s);
+problem::GrowthLaw read_growth(const Section& s);
 
 /// The named parts of the boundary, or none if they are only known once a file is read.
-std::optional<std::set<std::string>> boundary_names(const MeshSpec& mesh);
+std::optional<std::set<std::string>> boundary_names(const problem::MeshSpec& mesh);
 
 }  // namespace cleft::scene

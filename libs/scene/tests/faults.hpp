@@ -5,7 +5,7 @@
 
 #include "scenes.hpp"
 
-namespace cleft::scene {
+namespace cleft {
 
 /// `from` in the block scene becomes `to`; an @ in `to` marks the place that the error must name, and is not part of
 /// the scene.
@@ -41,4 +41,4 @@ void expect_reported(const Fault& fault, const Refuse& refuse) {
   }
 }
 
-}  // namespace cleft::scene
+}  // namespace cleft

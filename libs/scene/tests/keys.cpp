@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cleft/scene/json.hpp"
 #include "cleft/scene/read.hpp"
 #include "scenes.hpp"
 

@@ -145,10 +145,11 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
 }
 
 TEST(SceneOverride, ReplacesKeysAndAddsThemAndTheirSections) {
-  const Scene scene = scene_of(kPlain + "[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n",
-                               {"mesh.cells=[32,64]", "crack.main.friction=0.7", "boundary.bottom.uy=-0.02",
-                                "crack.0.negative_side=left", "solver.max_iterations=7"});
-  EXPECT_EQ(std::get<StructuredMesh>(scene.mesh.kind).cells, (std::array{32, 64}));
+  const problem::Specification scene =
+      scene_of(kPlain + "[[crack]]\nname = \"main\"\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n",
+               {"mesh.cells=[32,64]", "crack.main.friction=0.7", "boundary.bottom.uy=-0.02",
+                "crack.0.negative_side=left", "solver.max_iterations=7"});
+  EXPECT_EQ(std::get<problem::StructuredMesh>(scene.mesh.kind).cells, (std::array{32, 64}));
   EXPECT_EQ(scene.cracks[0].friction, 0.7);
   EXPECT_EQ(scene.cracks[0].negative_side, contact::NegativeSide::Left);
   EXPECT_EQ(scene.boundaries[0].uy, -0.02);
@@ -169,7 +170,7 @@ TEST(SceneOverride, DefaultNamesServeToo) {
                            "[[boundary]]\nbox = [0.0, 0.08, 0.04, 0.08]\nuy = 0.0\n"
                            "[[crack]]\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n"
                            "[[crack]]\npoints = [[0.0, 0.06], [0.01, 0.06]]\n";
-  const Scene scene = scene_of(text, {"crack.crack2.friction=0.5", "boundary.box2.uy=0.001"});
+  const problem::Specification scene = scene_of(text, {"crack.crack2.friction=0.5", "boundary.box2.uy=0.001"});
   EXPECT_EQ(scene.cracks[0].friction, 0.0);
   EXPECT_EQ(scene.cracks[1].friction, 0.5);
   EXPECT_EQ(scene.boundaries[1].name, "box2");

@@ -1,6 +1,7 @@
 // Good scenes: every key arrives in the description, and what is absent has its default.
 #include <nlohmann/json.hpp>
 
+#include "cleft/scene/json.hpp"
 #include "cleft/scene/read.hpp"
 #include "scenes.hpp"
 
@@ -10,9 +11,9 @@ namespace {
 using Points = std::vector<std::array<double, 2>>;
 
 TEST(GoodScene, EveryKeyOfTheBlockArrives) {
-  const Scene s = scene_of(kBlock);
+  const problem::Specification s = scene_of(kBlock);
   EXPECT_EQ(s.title, "Block");
-  const auto& mesh = std::get<StructuredMesh>(s.mesh.kind);
+  const auto& mesh = std::get<problem::StructuredMesh>(s.mesh.kind);
   EXPECT_EQ(mesh.box, (std::array{0.0, 0.0, 0.04, 0.08}));
   EXPECT_EQ(mesh.cells, (std::array{4, 8}));
   EXPECT_EQ(s.mesh.at.line, line_of(kBlock, "[mesh]"));
@@ -39,9 +40,9 @@ TEST(GoodScene, EveryKeyOfTheBlockArrives) {
 }
 
 TEST(GoodScene, WhatIsAbsentHasItsDefault) {
-  const Scene s = scene_of(kPlain + "[[crack]]\npoints = [[0, 0.02], [0.01, 0.02]]\n");
+  const problem::Specification s = scene_of(kPlain + "[[crack]]\npoints = [[0, 0.02], [0.01, 0.02]]\n");
   EXPECT_EQ(s.title, "");
-  EXPECT_EQ(std::get<StructuredMesh>(s.mesh.kind).diagonal, geometry::Diagonal::Right);
+  EXPECT_EQ(std::get<problem::StructuredMesh>(s.mesh.kind).diagonal, geometry::Diagonal::Right);
   EXPECT_EQ(s.cracks[0].name, "crack1");
   EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Both) << "by mortar contact no face is another one";
   EXPECT_EQ(s.cracks[0].friction, 0.0);
@@ -66,7 +67,7 @@ TEST(GoodScene, SpringsStandOnTheRightFaceUnlessItSaysAnother) {
 }
 
 TEST(GoodScene, IntegersServeAsNumbers) {
-  const Scene s = scene_of(replaced(kPlain, "young = 1.0e10", "young = 10_000_000_000"));
+  const problem::Specification s = scene_of(replaced(kPlain, "young = 1.0e10", "young = 10_000_000_000"));
   EXPECT_EQ(s.materials.at(0).young, 1e10);
 }
 
@@ -75,9 +76,9 @@ TEST(GoodScene, ASingleMaterialMayStandInAnArray) {
 }
 
 TEST(GoodScene, SineCracksKeepTheirCurve) {
-  const Scene s = scene_of(kPlain +
-                           "[[crack]]\ncurve = \"sine\"\nstart = [0, 0.04]\nend = [0.04, 0.04]\n"
-                           "amplitude = 0.002\nperiods = 1.5\nnegative_side = \"both\"\n");
+  const problem::Specification s = scene_of(kPlain +
+                                            "[[crack]]\ncurve = \"sine\"\nstart = [0, 0.04]\nend = [0.04, 0.04]\n"
+                                            "amplitude = 0.002\nperiods = 1.5\nnegative_side = \"both\"\n");
   ASSERT_TRUE(s.cracks[0].sine);
   EXPECT_TRUE(s.cracks[0].points.empty());
   EXPECT_EQ(s.cracks[0].sine->end, Vec2(0.04, 0.04));
@@ -87,9 +88,10 @@ TEST(GoodScene, SineCracksKeepTheirCurve) {
 }
 
 TEST(GoodScene, BoundariesMayShareAPlaceWithOtherComponents) {
-  const Scene s = scene_of(kPlain +
-                           "[[boundary]]\non = \"top\"\nname = \"down\"\nuy = -1e-3\namplitude = [[0, 0], [0.1, 1]]\n"
-                           "[[boundary]]\non = \"top\"\nname = \"along\"\nux = 1e-2\namplitude = [[0.1, 0], [1, 1]]\n");
+  const problem::Specification s =
+      scene_of(kPlain +
+               "[[boundary]]\non = \"top\"\nname = \"down\"\nuy = -1e-3\namplitude = [[0, 0], [0.1, 1]]\n"
+               "[[boundary]]\non = \"top\"\nname = \"along\"\nux = 1e-2\namplitude = [[0.1, 0], [1, 1]]\n");
   EXPECT_EQ(s.boundaries[1].components(), (std::array{false, true}));
   EXPECT_EQ(s.boundaries[2].components(), (std::array{true, false}));
 }
@@ -112,14 +114,14 @@ TEST(GoodScene, EveryKindOfPrescribedDisplacementArrives) {
 }
 
 TEST(Amplitude, IsPiecewiseLinearAndConstantBeyondItsEnds) {
-  const Amplitude a{{{0.25, 1.0}, {0.5, 3.0}, {0.75, -1.0}}};
+  const problem::Amplitude a{{{0.25, 1.0}, {0.5, 3.0}, {0.75, -1.0}}};
   EXPECT_EQ(a(0.0), 1.0);
   EXPECT_EQ(a(0.25), 1.0);
   EXPECT_EQ(a(0.375), 2.0);
   EXPECT_EQ(a(0.5), 3.0);
   EXPECT_EQ(a(0.625), 1.0);
   EXPECT_EQ(a(1.0), -1.0);
-  EXPECT_EQ(Amplitude{}(0.3), 0.3);
+  EXPECT_EQ(problem::Amplitude{}(0.3), 0.3);
 }
 
 TEST(SceneJson, HasTheDefaultsFilledIn) {

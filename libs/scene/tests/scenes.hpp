@@ -1,56 +1,15 @@
-// Scene texts, and folders that vanish with the test.
+// Scene texts.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cleft/scene/read.hpp"
+#include "support/tests/folder.hpp"
 
-namespace cleft::scene {
-
-/// A folder of its own, named after the running test; removed with this object.
-class Folder {
- public:
-  Folder() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = "cleft_" + std::string(info->test_suite_name()) + "_" + info->name();
-    std::replace(name.begin(), name.end(), '/', '_');  // as the names of parameterised tests have
-    static int count = 0;
-    path_ = std::filesystem::path(testing::TempDir()) /
-            (name + "_" + std::to_string(getpid()) + "_" + std::to_string(++count));
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(*this / name, std::ios::binary) << text;
-    return *this / name;
-  }
-  /// Names of everything in it.
-  std::vector<std::string> names() const {
-    std::vector<std::string> all;
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
-      all.push_back(entry.path().filename().string());
-    return all;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+namespace cleft {
 
 /// A coarse block with an inclined edge crack under compression and shear, every section present.
 inline const std::string kBlock = R"(title = "Block"
@@ -127,9 +86,9 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
-inline Scene scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+inline problem::Specification scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   const Folder folder;
-  return read_scene(folder.write("scene.toml", text), overrides);
+  return scene::read_scene(folder.write("scene.toml", text), overrides);
 }
 
 /// 1-based line of the first occurrence of `what`.
@@ -139,4 +98,4 @@ inline int line_of(const std::string& text, const std::string& what) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-}  // namespace cleft::scene
+}  // namespace cleft

@@ -1,6 +1,7 @@
 // What differs between two scenes, key by key.
 #include "cleft/scene/solved_keys.hpp"
 
+#include "cleft/scene/json.hpp"
 #include "scenes.hpp"
 
 namespace cleft::scene {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
 
 namespace cleft::scene {
@@ -121,8 +121,8 @@ TEST(Studies, OfTheRepositoryAreSoundOnTheirCoarsestMesh) {
           auto overrides = study.set;
           overrides.push_back(study.mesh_key + "=" + study.meshes.front());
           if (!study.sweep_key.empty()) overrides.push_back(study.sweep_key + "=" + variant);
-          const Scene scene = read_scene(study.scene, overrides);
-          EXPECT_FALSE(build_model(scene).cells.empty());
+          const problem::Specification scene = read_scene(study.scene, overrides);
+          EXPECT_FALSE(problem::build_model(scene).cells.empty());
         }
         for (const auto& quantity : study.quantities) {
           EXPECT_TRUE(quantity.reference.empty() || std::filesystem::exists(quantity.reference))

@@ -1,5 +1,5 @@
 // Cuts a square by a crack, presses it together and prints the force, without a scene file.
-#include <cleft/assembly/stepping.hpp>
+#include <cleft/solve/stepping.hpp>
 #include <cstdio>
 
 int main() {
@@ -25,7 +25,7 @@ int main() {
   };
   hold("bottom", 0.0);
   hold("top", 0.01);
-  assembly::LoadStepper stepper(model, {.steps = 2});
+  solve::LoadStepper stepper(model, {.steps = 2});
   while (!stepper.done())
     if (std::holds_alternative<assembly::Failure>(stepper.advance())) return 1;
   std::printf("force %g N/m\n", stepper.reactions()[1].y());

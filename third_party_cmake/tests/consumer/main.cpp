@@ -1,14 +1,14 @@
 // consumer SCENE.toml: solves a scene and prints pressure and slip along its cracks at full load.
-#include <cleft/scene/problem.hpp>
-#include <cleft/scene/profile.hpp>
+#include <cleft/problem/build.hpp>
+#include <cleft/results/profile.hpp>
 #include <cleft/scene/read.hpp>
 #include <cstdio>
 
 int main(int argc, char** argv) try {
   using namespace cleft;
   if (argc != 2) return 2;
-  const scene::Scene scene = scene::read_scene(argv[1], {"loading.steps=4"});
-  growth::Evolution body = scene::make_evolution(scene, scene::build_model(scene));
+  const problem::Specification scene = scene::read_scene(argv[1], {"loading.steps=4"});
+  growth::Evolution body = growth::Evolution(scene, problem::build_model(scene));
   while (!body.done()) {
     const auto outcome = body.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
@@ -20,7 +20,7 @@ int main(int argc, char** argv) try {
   }
   bool pressed = false;
   std::printf("crack,s,pressure,slip\n");
-  for (const scene::ProfilePoint& point : scene::profile(body.stepper())) {
+  for (const results::ProfilePoint& point : results::profile(body.stepper())) {
     std::printf("%s,%g,%g,%g\n", scene.cracks[point.crack].name.c_str(), point.s, point.pressure, point.slip);
     pressed = pressed || point.pressure > 0.0;
   }

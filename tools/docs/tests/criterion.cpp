@@ -9,10 +9,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "cleft/assembly/intensities.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/evolution.hpp"
-#include "cleft/scene/problem.hpp"
+#include "cleft/growth/intensities.hpp"
+#include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
 
 namespace cleft::growth {
@@ -26,7 +26,7 @@ struct EnergyRelease {
 
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const {
     Demand out;
-    out.intensities = assembly::intensities_by_integral(body, assembly::ball_at(body.model, tip.crack, tip.end));
+    out.intensities = growth::intensities_by_integral(body, problem::ball_at(body.model, tip.crack, tip.end));
     const auto& [K_I, K_II] = out.intensities;
     const auto& [lambda, mu] = body.model.constants(0);  // of a body of one material
     const double poisson = 0.5 * lambda / (lambda + mu);
@@ -44,7 +44,7 @@ namespace {
 // a).
 TEST(ExampleCriterion, KnowsTheEnergyReleaseOfASlantedCrack) {
   const auto scene = scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/slanted_crack.toml");
-  Evolution body = scene::make_evolution(scene, scene::build_model(scene));
+  Evolution body = growth::Evolution(scene, problem::build_model(scene));
   while (!body.done()) ASSERT_TRUE(std::holds_alternative<Step>(body.advance()));
   const auto equilibrium = body.stepper().equilibrium();
   const double tension = 1e5, half_length = std::numbers::sqrt2;

@@ -1,4 +1,4 @@
-#include "cleft/scene/problem.hpp"
+#include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
 #include "cleft/support/error.hpp"
 #include "targets.hpp"
@@ -7,8 +7,8 @@ namespace cleft::fuzz {
 namespace {
 
 // Delaunay meshes and those of files may be as large as they like: they are not built here.
-bool is_small(const scene::Scene& scene) {
-  const auto* mesh = std::get_if<scene::StructuredMesh>(&scene.mesh.kind);
+bool is_small(const problem::Specification& scene) {
+  const auto* mesh = std::get_if<problem::StructuredMesh>(&scene.mesh.kind);
   return mesh && mesh->cells[0] * static_cast<long>(mesh->cells[1]) <= 1000;
 }
 
@@ -17,7 +17,7 @@ bool is_small(const scene::Scene& scene) {
 void scene(Bytes bytes) {
   try {
     const auto scene = scene::read_scene(file_of(bytes, ".toml"));
-    if (is_small(scene)) (void)scene::build_model(scene);
+    if (is_small(scene)) (void)problem::build_model(scene);
   } catch (const InputError& error) {
     require(!error.problem().empty(), "an error says what is wrong");
   }

@@ -55,6 +55,9 @@ std::array<Vec2, 3> corners(const Mesh& mesh, Index t);
 /// Area of triangle `t` in m^2, positive for counter-clockwise.
 double triangle_area(const Mesh& mesh, Index t);
 
+/// Side of a square of two such triangles, metres.
+double element_size(const Mesh& mesh, Index t);
+
 /// Smallest angle of any triangle, degrees.
 double least_angle(const Mesh& mesh);
 

@@ -1,6 +1,6 @@
 /// \file
-/// When a crack's tip advances, and where to. A criterion is a struct with its parameters and one function `judge`; a
-/// new one joins the variant.
+/// When a crack's tip advances, and where to. A criterion is a struct with its parameters (problem/specification.hpp)
+/// and one function `judge`; a new one joins the variant there.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "cleft/assembly/equilibrium.hpp"
 #include "cleft/enrichment/sif.hpp"
+#include "cleft/problem/specification.hpp"
 
 namespace cleft::growth {
 
@@ -37,44 +38,19 @@ struct Demand {
 ///
 /// Around the tip of a closed, sliding crack the field of mode II has means of zero but for the shear stress, whose
 /// principal directions lie at 45 degrees: that is where the crack turns, not the 70.5 degrees of the hoop stress.
-struct Rankine {
-  double strength = 0.0;  ///< Pa
-  double radius = 0.0;    ///< metres
-
-  /// Why the measure may be no number, and what to try.
-  static constexpr const char* kNoAnswer = "the disc around the tip is smaller than an element";
-  static constexpr const char* kAdvice = "a larger growth.radius, or a finer mesh where the crack grows";
-
-  Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
-};
+///
+/// Not a number where the disc around the tip is smaller than an element.
+Demand judge(const problem::Rankine& criterion, const assembly::Equilibrium& body, const TipName& tip);
 
 /// The largest hoop stress of the singular field reaches that of mode I at a toughness (Erdogan and Sih 1963):
 ///
 ///     cos^2(t/2) [K_I cos(t/2) - 3 K_II sin(t/2)] = K_c,   tan(t/2) = [K_I - sqrt(K_I^2 + 8 K_II^2)] / (4 K_II),
 ///
 /// and the crack turns by t. Intensities are those of the interaction integral. Closed faces bear no K_I below zero.
-struct HoopStress {
-  double toughness = 0.0;  ///< K_c, Pa m^(1/2)
-
-  static constexpr const char* kNoAnswer =
-      "the body ends, or the crack bends, within half an element size: too near for stress intensities";
-  static constexpr const char* kAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
-
-  /// The tip must have a ball (geometry::TipBall); intensities are taken within its reach.
-  Demand judge(const assembly::Equilibrium& body, const TipName& tip) const;
-};
-
-using Criterion = std::variant<Rankine, HoopStress>;
-
-/// How a crack grows.
-struct Law {
-  Criterion criterion;
-  double advance = 0.0;                  ///< length of one advance, metres, in the reference configuration
-  int most = 1000;                       ///< advances of each tip
-  std::array<bool, 2> tips{true, true};  ///< which ends may grow: the first, the last
-  bool correct_direction = false;        ///< of each advance, by what is asked for at its end
-  double load_tolerance = 1e-4;          ///< of the load at which a tip begins to advance
-};
+///
+/// The tip must have a ball (geometry::TipBall); intensities are taken within its reach. Not a number where the body
+/// ends, or the crack bends, within half an element size.
+Demand judge(const problem::HoopStress& criterion, const assembly::Equilibrium& body, const TipName& tip);
 
 /// Angle by which a tip of given intensities turns, radians, to the left; and the intensity of mode I that opens it as
 /// much there, Pa m^(1/2).
@@ -83,9 +59,5 @@ struct HoopDirection {
   double intensity = 0.0;
 };
 HoopDirection largest_hoop_stress(const enrichment::Intensities& k);
-
-/// Whether the disc of a radius around a tip is larger than every element that it meets, so that a mean over it is not
-/// just what one element says.
-bool spans_elements(const assembly::Model& model, const TipName& tip, double radius);
 
 }  // namespace cleft::growth

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "cleft/assembly/stepping.hpp"
 #include "cleft/growth/criterion.hpp"
+#include "cleft/solve/stepping.hpp"
 
 namespace cleft::growth {
 
@@ -51,7 +51,7 @@ struct Advance {
 };
 
 /// A converged increment of the load, or the equilibrium at the same load after cracks have grown.
-struct Step : assembly::Step {
+struct Step : solve::Step {
   std::vector<Advance> advances;  ///< none in an increment
   double released = 0.0;          ///< energy that all of them together set free, J/m
 };
@@ -70,19 +70,15 @@ struct Step : assembly::Step {
 /// tip's last.
 class Evolution {
  public:
-  /// The same body with other cracks: as many of them, longer than those of the first model. Throws InputError.
-  using Recut = std::function<assembly::Model(const std::vector<geometry::Crack>&)>;
-
-  /// `laws`: one entry a crack, or none at all. Growth needs Control::Load.
-  Evolution(assembly::Model model, assembly::StepControls controls, std::vector<std::optional<Law>> laws = {},
-            Recut recut = {});
+  /// `model`: what problem::build_model has made of the specification. Growth needs Control::Load.
+  Evolution(problem::Specification specification, assembly::Model model);
 
   bool done() const { return stepper_->done() && record_.due.empty(); }
 
   /// One converged increment or one step of growth, or the failure that ends the run.
-  std::variant<Step, assembly::Failure> advance(const assembly::IterationObserver& observer = {});
+  std::variant<Step, assembly::Failure> advance(const solve::IterationObserver& observer = {});
 
-  const assembly::LoadStepper& stepper() const { return *stepper_; }
+  const solve::LoadStepper& stepper() const { return *stepper_; }
   const assembly::Model& model() const { return *model_; }
   const Record& record() const { return record_; }
 
@@ -91,10 +87,10 @@ class Evolution {
 
   /// Of all models so far.
   assembly::AssemblySeconds assembly_seconds() const;
-  assembly::SolverSeconds solver_seconds() const;
+  solve::SolverSeconds solver_seconds() const;
 
   /// Goes on from what an earlier run kept.
-  void restore(Record record, assembly::State state, assembly::StepPlace place, assembly::ContactRoom room);
+  void restore(Record record, assembly::State state, solve::StepPlace place, assembly::ContactRoom room);
 
  private:
   struct Judged {
@@ -106,33 +102,33 @@ class Evolution {
     std::vector<geometry::Crack> cracks;
     std::vector<Advance> advances;
     std::unique_ptr<const assembly::Model> model;
-    std::unique_ptr<assembly::LoadStepper> stepper;
+    std::unique_ptr<solve::LoadStepper> stepper;
     assembly::State origin;
-    assembly::Step step;
+    solve::Step step;
   };
   Judged judge(const assembly::Equilibrium& body) const;
   std::optional<assembly::Failure> no_answer(const Judged& judged) const;
   bool may_grow(const TipName& tip) const;
   double tolerance() const;
-  std::variant<Step, assembly::Failure> increase(const assembly::IterationObserver& observer);
-  std::variant<Step, assembly::Failure> grow(const assembly::IterationObserver& observer);
+  std::variant<Step, assembly::Failure> increase(const solve::IterationObserver& observer);
+  std::variant<Step, assembly::Failure> grow(const solve::IterationObserver& observer);
   std::variant<Attempt, assembly::Failure> attempt(const std::vector<Due>& due,
-                                                   const assembly::IterationObserver& observer) const;
+                                                   const solve::IterationObserver& observer) const;
   std::optional<std::vector<Due>> corrected(const Attempt& tried) const;
   Vec2 destination(const Due& due, const Vec2& from, double length) const;
   Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
-  void count(const assembly::LoadStepper& done_with);
-  void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<assembly::LoadStepper> stepper);
+  void count(const solve::LoadStepper& done_with);
+  void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<solve::LoadStepper> stepper);
 
-  assembly::StepControls controls_;
-  std::vector<std::optional<Law>> laws_;
-  Recut recut_;
+  problem::Specification specification_;
+  solve::StepControls controls_;
+  std::vector<std::optional<problem::GrowthLaw>> laws_;  // of each crack; none at all where no crack grows
   std::unique_ptr<const assembly::Model> model_;
-  std::unique_ptr<assembly::LoadStepper> stepper_;
+  std::unique_ptr<solve::LoadStepper> stepper_;
   Record record_;
   assembly::State origin_;
   assembly::AssemblySeconds assembly_before_;
-  assembly::SolverSeconds solver_before_;
+  solve::SolverSeconds solver_before_;
 };
 
 }  // namespace cleft::growth

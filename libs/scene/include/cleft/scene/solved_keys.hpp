@@ -6,12 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "cleft/scene/description.hpp"
+#include "cleft/problem/specification.hpp"
 
 namespace cleft::scene {
-
-/// As JSON text: all that the solution depends on, with every default filled in; neither title nor file name.
-std::string solved_json(const Scene& scene);
 
 /// A dotted key as `--set` takes it (cracks and boundaries by their names) and its value as JSON.
 using KeyValue = std::pair<std::string, std::string>;

@@ -1,0 +1,151 @@
+#include "study_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cleft/convergence/profile.hpp"
+#include "cleft/results/files.hpp"
+#include "cleft/results/results.hpp"
+#include "cleft/simulation/run.hpp"
+
+namespace cleft::convergence {
+namespace {
+
+using scene::Quantity;
+
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSameLoad = 1e-9;
+
+nlohmann::json run_json(const StudyRun& run) {
+  return nlohmann::json::parse(results::read_bytes(run.folder + "/run.json"));
+}
+
+double history_value(const StudyRun& run, const Quantity& q) {
+  const auto table = results::read_csv(run.folder + "/history.csv");
+  const auto loads = table.column("load");
+  for (std::size_t k = loads.size(); k-- > 0;)  // the last state at a load: cracks may grow there
+    if (std::fabs(loads[k] - q.load) < kSameLoad) return table.column(q.column)[k];
+  throw std::runtime_error(fmt::format("{}: no row at load {}", run.folder, q.load));
+}
+
+// Of several states at one load, between which cracks have grown, the last.
+void keep_last_step(results::CsvTable& table) {
+  const auto at = std::find(table.header.begin(), table.header.end(), "step");
+  if (at == table.header.end() || table.rows.empty()) return;
+  const auto column = static_cast<std::size_t>(at - table.header.begin());
+  const std::string last = table.rows.back().at(column);
+  std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != last; });
+}
+
+// Of a crack whose faces both have points, one face: their tractions are opposite and their places have moved apart.
+void keep_side(results::CsvTable& table, const std::string& wanted) {
+  const auto at = std::find(table.header.begin(), table.header.end(), "side");
+  if (at == table.header.end()) return;
+  const auto column = static_cast<std::size_t>(at - table.header.begin());
+  const auto on = [&](const char* side) { return [column, side](const auto& row) { return row.at(column) == side; }; };
+  const std::string side = !wanted.empty() ? wanted : std::ranges::any_of(table.rows, on("left")) ? "left" : "right";
+  std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != side; });
+}
+
+// The rows of a profile at the quantity's load; all rows of a table without loads.
+Profile profile_of(const std::string& path, const Quantity& q) {
+  auto table = results::read_csv(path);
+  if (std::find(table.header.begin(), table.header.end(), "load") != table.header.end()) {
+    const auto loads = table.column("load");
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      if (std::fabs(loads[k] - q.load) < kSameLoad) table.rows[kept++] = table.rows[k];
+    table.rows.resize(kept);
+    keep_last_step(table);
+  }
+  keep_side(table, q.side);
+  return {table.column(q.along), table.column(q.column)};
+}
+
+double profile_value(const StudyRun& run, const Quantity& q, const Profile& reference) {
+  const Profile own = profile_of(run.folder + "/crack_" + q.crack + ".csv", q);
+  const auto range = q.range ? q.range : common_range(own, reference);
+  if (!range)
+    throw std::runtime_error(fmt::format("{}: '{}' has no part of the abscissa in common", run.folder, q.name));
+  const auto d = distance(own, reference, *range);
+  return q.largest ? d.largest_relative : d.l2_relative;
+}
+
+std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+}  // namespace
+
+void check_quantities(const scene::Study& study, const problem::Specification& s) {
+  const std::vector<std::string> profile_columns{
+      "gap",    "tn", "tt", "pressure", "slip", "partner_s", "partner_pressure", "opening", "jump_n",
+      "jump_t", "s",  "X",  "Y",        "x",    "y"};
+  const auto columns = results::history_columns(s);
+  for (std::size_t k = 0; k < study.quantities.size(); ++k) {
+    const auto& q = study.quantities[k];
+    const auto refuse = [&](const char* key, const std::string& problem) {
+      throw InputError(q.at, fmt::format("quantity[{}].{}", k, key), problem);
+    };
+    const auto holds = [](const auto& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    if (q.kind == Quantity::Kind::History && !holds(columns, q.column))
+      refuse("column", fmt::format("history.csv has no column '{}'; allowed: {}", q.column, list(columns)));
+    if (q.kind == Quantity::Kind::Error && !s.exact)
+      refuse("error", "the scene has no [exact] solution; allowed: a scene that has one");
+    if (q.kind != Quantity::Kind::Profile) continue;
+    if (!holds(profile_columns, q.column))
+      refuse("column", fmt::format("no number in a crack's file; allowed: {}", list(profile_columns)));
+    std::vector<std::string> cracks;
+    for (const auto& crack : s.cracks) cracks.push_back(crack.name);
+    if (!holds(cracks, q.crack))
+      refuse("crack", fmt::format("the scene has no crack '{}'; allowed: {}", q.crack, list(cracks)));
+    const auto& crack = *std::ranges::find(s.cracks, q.crack, &problem::CrackSpec::name);
+    const auto other = q.side == "left" ? contact::NegativeSide::Right : contact::NegativeSide::Left;
+    if (!q.side.empty() && crack.negative_side == other)
+      refuse("side", fmt::format("the {} face of crack '{}' has no points; allowed: the face of its negative_side, or "
+                                 "negative_side = \"both\"",
+                                 q.side, q.crack));
+    if (q.reference.empty()) continue;
+    try {
+      profile_of(q.reference, q);
+    } catch (const std::runtime_error& error) {
+      refuse("reference",
+             fmt::format("{}; allowed: a CSV file with the columns {} and {}", error.what(), q.along, q.column));
+    }
+  }
+}
+
+void read_counts(StudyRun& run) {
+  const auto json = run_json(run);
+  run.phases = json.at("seconds");
+  run.seconds = run.phases.at("total");
+  run.phases.erase("total");
+  run.megabytes = json.at("peak_megabytes");
+  run.increments = json.at("increments");
+  run.iterations = json.at("iterations");
+  run.cuts = json.at("cuts");
+}
+
+void read_values(const scene::Study& study, std::span<StudyRun> runs) {
+  for (const auto& q : study.quantities) {
+    Profile reference;
+    if (q.kind == Quantity::Kind::Profile)
+      reference = profile_of(q.reference.empty() ? runs.back().folder + "/crack_" + q.crack + ".csv" : q.reference, q);
+    for (auto& run : runs) {
+      const bool is_reference = q.kind == Quantity::Kind::Profile && q.reference.empty() && &run == &runs.back();
+      if (is_reference)
+        run.value.push_back(kNoValue);
+      else if (q.kind == Quantity::Kind::History)
+        run.value.push_back(history_value(run, q));
+      else if (q.kind == Quantity::Kind::Profile)
+        run.value.push_back(profile_value(run, q, reference));
+      else
+        run.value.push_back(run_json(run).at("error").at(q.column + "_relative"));
+    }
+  }
+}
+
+}  // namespace cleft::convergence

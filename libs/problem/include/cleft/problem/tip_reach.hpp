@@ -1,0 +1,42 @@
+/// \file
+/// How far around a tip stress intensity factors are taken (geometry::TipBall::reach).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cleft/assembly/model.hpp"
+#include "cleft/problem/specification.hpp"
+
+namespace cleft::problem {
+
+/// The number in CutMesh::tips of the ball at an end (0 first, 1 last) of a crack; kNone where there is none.
+Index ball_at(const assembly::Model& model, Index crack, int end);
+
+/// How many element sizes, of the tip's own triangle (the side of a square of two such), the reach of a tip is.
+double elements_within_reach(const assembly::Model& model, Index tip);
+
+/// A tip with fewer element sizes within its reach has no intensities, and with fewer than kSoundReach they may be off
+/// by more than 1 % (README.md of enrichment has a table: by up to 10 % at finite strain).
+inline constexpr double kLeastReach = 0.5, kSoundReach = 3.0;
+
+/// kLeastReach in metres.
+double least_reach(const assembly::Model& model, Index tip);
+
+/// Whether the disc of a radius (metres) around the first (0) or last (1) tip of a crack is larger than every element
+/// that it meets, so that a mean over it is not just what one element says.
+bool spans_elements(const assembly::Model& model, Index crack, int end, double radius);
+
+/// Whether the stress intensity factors of a crack's first (0) or last (1) tip are asked for.
+bool asks_for_intensities(const CrackSpec& crack, int end);
+
+/// Throws InputError, located in the scene, where intensities are asked for and a tip has none to tell: less than half
+/// an element size within its reach, advances shorter than that (after which the crack bends), or a boundary condition
+/// on a node within it.
+void refuse_narrow_tips(const Specification& scene, const assembly::Model& model);
+
+/// One line for each tip whose intensities may be off by more than 1 % because its ball, or at finite strain its reach,
+/// is less than 3 element sizes; with `all` also where the reach is less than the ball.
+std::vector<std::string> remarks_on_reach(const Specification& scene, const assembly::Model& model, bool all);
+
+}  // namespace cleft::problem

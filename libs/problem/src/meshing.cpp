@@ -1,0 +1,112 @@
+#include "meshing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "cleft/geometry/gmsh.hpp"
+#include "cleft/geometry/lines.hpp"
+
+namespace cleft::problem {
+namespace {
+
+constexpr double kSineTolerance = 0.01;  // of the element size: how far the sampled curve may be from the sine
+
+double smallest_element(const geometry::Mesh& mesh) {
+  double out = element_size(mesh, 0);
+  for (Index t = 1; t < static_cast<Index>(mesh.triangles.size()); ++t) out = std::min(out, element_size(mesh, t));
+  return out;
+}
+
+// `size` is that of the elements.
+std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, double size) {
+  if (!spec.sine) return spec.points;
+  try {
+    return geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude, spec.sine->periods,
+                                kSineTolerance * size);
+  } catch (const InputError&) {
+    throw InputError(spec.at, fmt::format("crack[{}].amplitude", number),
+                     "the curve is too long for this mesh; allowed: amplitudes and periods of the body's size");
+  }
+}
+
+geometry::Mesh fill(const StructuredMesh& spec, const Specification&) {
+  if (!spec.focus) return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal);
+  const auto lines = [&](int k) {
+    const auto& box = spec.focus->box;
+    return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k], {box[k], box[k + 2], spec.focus->share});
+  };
+  return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
+}
+
+geometry::Mesh fill(const DelaunayMesh& spec, const Specification& scene) {
+  geometry::SizeField size{spec.size / spec.refine, spec.gradation, {}};
+  const double along = spec.crack_size / spec.refine, at_tip = spec.tip_size / spec.refine;
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
+    const auto points = points_of(scene.cracks[k], k, along);
+    size.sources.push_back({points, along});
+    for (const Vec2& end : {points.front(), points.back()})
+      if (geometry::lies_inside(spec.outline, end)) size.sources.push_back({{end}, at_tip});
+  }
+  return geometry::delaunay_mesh(spec.outline, size);
+}
+
+using Box = std::array<Vec2, 2>;  // lower left and upper right corner
+
+Box box_of(const StructuredMesh& spec) { return {Vec2(spec.box[0], spec.box[1]), Vec2(spec.box[2], spec.box[3])}; }
+
+Box box_of(const DelaunayMesh& spec) {
+  const auto& points = spec.outline.outer.points;
+  Box out{points.front(), points.front()};
+  for (const Vec2& point : points) out = {out[0].cwiseMin(point), out[1].cwiseMax(point)};
+  return out;
+}
+
+// The coordinates come first, so that nothing is computed far from the origin.
+template <class Spec>
+MeshedSpecification make(const Spec& spec, const Specification& scene) {
+  const auto [low, high] = box_of(spec);
+  auto local = relative_to(local_origin(low, high), scene);
+  auto mesh = fill(std::get<Spec>(local.scene.mesh.kind), local.scene);
+  return {std::move(local), std::move(mesh)};
+}
+
+MeshedSpecification make(const GmshMesh& spec, const Specification& scene) {
+  auto mesh = geometry::read_gmsh(spec.file);
+  const auto [low, high] = geometry::box_around(mesh);
+  auto local = relative_to(local_origin(low, high), scene);
+  if (local.origin != Vec2::Zero())
+    for (Vec2& node : mesh.nodes) node = count_from(local.origin, node);
+  return {std::move(local), std::move(mesh)};
+}
+
+}  // namespace
+
+MeshedSpecification make_mesh(const Specification& scene) {
+  try {
+    return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
+  } catch (const InputError& error) {
+    if (!error.location().file.empty()) throw;
+    throw InputError(scene.mesh.at, error.key(), error.problem());
+  }
+}
+
+std::vector<geometry::Crack> make_cracks(const Specification& scene, const geometry::Mesh& mesh) {
+  const double size = smallest_element(mesh);
+  std::vector<geometry::Crack> cracks;
+  for (std::size_t k = 0; k < scene.cracks.size(); ++k)
+    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, size), scene.tip_enrichment});
+  return cracks;
+}
+
+void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at, const std::string& key) {
+  if (mesh.boundaries.contains(name)) return;
+  const std::string allowed = mesh.boundaries.empty()
+                                  ? "the mesh has no named boundaries"
+                                  : fmt::format("{}", fmt::join(mesh.boundaries | std::views::keys, ", "));
+  throw InputError(at, key, fmt::format("there is no boundary '{}'; allowed: {}", name, allowed));
+}
+
+}  // namespace cleft::problem

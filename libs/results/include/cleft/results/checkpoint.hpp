@@ -1,0 +1,34 @@
+/// \file
+/// Everything that a run needs to go on bit for bit.
+#pragma once
+
+#include <map>
+
+#include "cleft/growth/evolution.hpp"
+#include "cleft/results/incidents.hpp"
+#include "cleft/results/vtu.hpp"
+#include "cleft/solve/stepping.hpp"
+
+namespace cleft::results {
+
+struct Checkpoint {
+  std::string scene;  ///< solved_json of the scene
+  assembly::State state;
+  solve::StepPlace place;
+  assembly::ContactRoom room;
+  growth::Record growth;
+  long iterations = 0, cuts = 0;
+  double worst_residual = 0.0;
+  Rounded rounded;
+  Jumps jumps;
+  double seconds = 0.0;
+  std::map<std::string, std::uint64_t> log_bytes;  ///< length of each growing file
+  std::vector<PvdEntry> outputs;
+};
+
+std::string to_bytes(const Checkpoint& checkpoint);
+
+/// Throws std::runtime_error, naming `path`, if the bytes are not a checkpoint of this version or are damaged.
+Checkpoint checkpoint_from(const std::string& bytes, const std::string& path);
+
+}  // namespace cleft::results

@@ -1,0 +1,190 @@
+#include "cleft/results/checkpoint.hpp"
+
+#include <zlib.h>
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace cleft::results {
+namespace {
+
+constexpr char kMagic[] = "cleft checkpoint 12\n";
+
+struct Writer {
+  std::string out;
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
+  void size(std::uint64_t& n) { (*this)(n); }
+  void raw(void* data, std::size_t bytes) { out.append(static_cast<const char*>(data), bytes); }
+};
+
+struct Reader {
+  const std::string& in;
+  std::size_t at = 0;
+  void raw(void* data, std::size_t bytes) {
+    if (bytes > in.size() - at) throw std::out_of_range("checkpoint");
+    if (bytes > 0) std::memcpy(data, in.data() + at, bytes);
+    at += bytes;
+  }
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { raw(&value, sizeof value); }
+  void size(std::uint64_t& n) {
+    (*this)(n);
+    if (n > in.size()) throw std::out_of_range("checkpoint");  // no array has more entries than the file has bytes
+  }
+};
+
+template <class Io>
+void pass(Io& io, std::string& text) {
+  std::uint64_t n = text.size();
+  io.size(n);
+  text.resize(n);
+  io.raw(text.data(), n);
+}
+
+template <class Io>
+void pass(Io& io, VecX& v) {
+  std::uint64_t n = static_cast<std::uint64_t>(v.size());
+  io.size(n);
+  v.resize(static_cast<Eigen::Index>(n));
+  io.raw(v.data(), n * sizeof(double));
+}
+
+template <class Io, class T, class Each>
+void pass(Io& io, std::vector<T>& list, Each&& each) {
+  std::uint64_t n = list.size();
+  io.size(n);
+  list.resize(n);
+  for (T& item : list) each(item);
+}
+
+template <class Io>
+void pass(Io& io, growth::Record& g) {
+  pass(io, g.points, [&](std::vector<Vec2>& points) { pass(io, points, [&](Vec2& p) { io(p.x()), io(p.y()); }); });
+  pass(io, g.s_first, io);
+  pass(io, g.tips, [&](std::array<growth::Record::Tip, 2>& ends) {
+    for (auto& tip : ends) io(tip.advances), io(tip.stop);
+  });
+  pass(io, g.due, [&](growth::Due& due) {
+    io(due.tip);
+    io(due.demand.measure);
+    io(due.demand.ahead.x());
+    io(due.demand.ahead.y());
+    io(due.demand.stress);
+    io(due.demand.intensities);
+    io(due.demand.elements);
+  });
+  io(g.measure);
+  io(g.beyond);
+  io(g.measure_beyond);
+}
+
+// One function for both ways, so that they cannot differ.
+template <class Io>
+void pass(Io& io, Checkpoint& c) {
+  pass(io, c.scene);
+  auto& s = c.state;
+  io(s.load);
+  pass(io, s.displacement);
+  pass(io, s.history.contact, [&](contact::Memory& m) {
+    io(m.anchor_face);
+    io(m.anchor_place);
+    io(m.slip);
+    io(m.normal);
+    io(m.tangential);
+    io(m.ramp);
+    io(m.slope);
+  });
+  io(s.history.deepest);
+  pass(io, s.history.plastic, [&](constitutive::PlasticState& p) {
+    io(p.deformation);
+    io(p.accumulated);
+  });
+  auto& hats = s.history.hats;
+  pass(io, hats.status, io);
+  pass(io, hats.multiplier);
+  pass(io, hats.mismatch);
+  pass(io, hats.coverage, io);
+  pass(io, hats.slope, io);
+  pass(io, hats.smooth, io);
+  io(hats.stored);
+  pass(io, hats.trails, [&](contact::Trail& t) {
+    io(t.face);
+    io(t.begin);
+    io(t.end);
+    io(t.anchor_face);
+    io(t.anchor_begin);
+    io(t.anchor_end);
+  });
+  io(s.energies);
+  pass(io, s.prescribed_force);
+  io(s.largest_force);
+  io(s.previous_load);
+  pass(io, s.previous_displacement);
+  pass(io, s.previous_prescribed_force);
+  pass(io, s.progress);
+  io(c.place.number);
+  io(c.place.step);
+  io(c.place.stretch);
+  io(c.place.furthest);
+  io(c.place.longest);
+  io(c.place.plateau);
+  io(c.place.wandered);
+  pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
+  pass(io, c.growth);
+  io(c.iterations);
+  io(c.cuts);
+  io(c.worst_residual);
+  io(c.rounded);
+  io(c.jumps);
+  io(c.seconds);
+  std::vector<std::pair<std::string, std::uint64_t>> logs(c.log_bytes.begin(), c.log_bytes.end());
+  pass(io, logs, [&](auto& entry) {
+    pass(io, entry.first);
+    io(entry.second);
+  });
+  c.log_bytes = {logs.begin(), logs.end()};
+  pass(io, c.outputs, [&](PvdEntry& entry) {
+    io(entry.load);
+    io(entry.part);
+    pass(io, entry.file);
+  });
+}
+
+std::uint32_t checksum(const char* data, std::size_t size) {
+  return static_cast<std::uint32_t>(crc32(0L, reinterpret_cast<const Bytef*>(data), static_cast<uInt>(size)));
+}
+
+}  // namespace
+
+std::string to_bytes(const Checkpoint& checkpoint) {
+  Writer writer{kMagic};
+  Checkpoint copy = checkpoint;
+  pass(writer, copy);
+  std::uint32_t sum = checksum(writer.out.data(), writer.out.size());
+  writer(sum);
+  return writer.out;
+}
+
+Checkpoint checkpoint_from(const std::string& bytes, const std::string& path) {
+  const std::size_t magic = sizeof kMagic - 1;
+  if (bytes.compare(0, magic, kMagic) != 0)
+    throw std::runtime_error(path + ": not a checkpoint of this version of cleft");
+  std::uint32_t sum = 0;
+  if (bytes.size() >= magic + sizeof sum) std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+  if (bytes.size() < magic + sizeof sum || sum != checksum(bytes.data(), bytes.size() - sizeof sum))
+    throw std::runtime_error(path + ": the checkpoint is damaged");
+  Reader reader{bytes, magic};
+  Checkpoint out;
+  try {
+    pass(reader, out);
+  } catch (const std::out_of_range&) {
+    throw std::runtime_error(path + ": the checkpoint is damaged");
+  }
+  return out;
+}
+
+}  // namespace cleft::results

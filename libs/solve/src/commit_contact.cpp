@@ -1,0 +1,48 @@
+#include "commit_contact.hpp"
+
+#include "cleft/contact/history.hpp"
+
+namespace cleft::solve {
+
+void commit_contact(const assembly::Model& model, const assembly::Assembler& assembler, const VecX& before,
+                    const std::vector<contact::Pair>& pairs, assembly::History& history, assembly::Energies& energies) {
+  energies.contact = 0.0;
+  contact::FacePositions faces_before;
+  contact::place_faces(model.surfaces, before, faces_before);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const auto index = static_cast<Index>(p);
+    const auto& s = pairs[p].state;
+    if (model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[p].face].crack)) {
+      if (contact::presses(pairs[p])) history.deepest = std::max(history.deepest, -s.normal_gap);
+      history.contact[p] =
+          contact::follow(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
+      continue;
+    }
+    const auto step = contact::advance(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
+    const auto& law = model.surfaces.laws[model.surfaces.faces[model.surfaces.points[p].face].crack];
+    const double weight = model.surfaces.points[p].weight;
+    if (contact::presses(pairs[p])) {
+      energies.contact += 0.5 * weight * s.ramp *
+                          (s.traction.normal * s.traction.normal / law.normal_penalty +
+                           s.traction.tangential * s.traction.tangential / law.tangential_penalty);
+      history.deepest = std::max(history.deepest, -s.normal_gap);
+    }
+    energies.friction_dissipation += weight * step.friction;
+    if (contact::presses(pairs[p]) && !pairs[p].anchored)
+      energies.friction_dissipation += weight * contact::touching_friction(model.surfaces, faces_before,
+                                                                           assembler.face_positions(), index, pairs[p]);
+    energies.contact_pressure_work += weight * step.pressure;
+    history.contact[p] = step.memory;
+  }
+
+  if (!model.surfaces.hats.empty()) {
+    auto& hats = history.hats;
+    auto step = assembler.multipliers().advance(model.surfaces, assembler.face_positions(), hats);
+    energies.contact += step.memory.stored;
+    energies.friction_dissipation += step.friction;
+    energies.contact_pressure_work += step.pressure;
+    hats = std::move(step.memory);
+  }
+}
+
+}  // namespace cleft::solve

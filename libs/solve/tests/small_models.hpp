@@ -1,0 +1,65 @@
+// Small models that several tests use.
+#pragma once
+
+#include <cmath>
+
+#include "cleft/solve/stepping.hpp"
+
+namespace cleft::solve::models {
+
+inline void discretise(assembly::Model& m, double penalty_scale, double friction, contact::NegativeSide side,
+                       double young) {
+  m.cut = geometry::cut(m.mesh, m.cracks);
+  m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
+  m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
+  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
+  m.materials = {constitutive::Hencky{constitutive::lame(young, 0.25)}};
+  if (m.cracks.empty()) return;
+  auto& s = m.surfaces;
+  s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
+  s.element_size = std::sqrt(2.0 * geometry::triangle_area(m.mesh, 0));
+  s.laws.assign(m.cracks.size(),
+                {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size, friction});
+  s.sides.assign(m.cracks.size(), side);
+  s.points = contact::place_points(s, 2);
+}
+
+inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
+  StepControls c;
+  c.steps = steps;
+  c.outputs = std::move(outputs);
+  return c;
+}
+
+/// Contact by multipliers instead of springs, on all cracks.
+inline void give_hats(assembly::Model& m) {
+  auto& s = m.surfaces;
+  for (const auto& law : s.laws) s.mortar.push_back({true, 1.0, 2.0, law.normal_penalty, 1.0 / law.normal_penalty});
+  std::vector<contact::HatPlan> plan(s.faces.size());
+  for (std::size_t f = 0; f < plan.size(); ++f) {
+    const bool both = s.sides[s.faces[f].crack] == contact::NegativeSide::Both;
+    if (s.is_negative(s.faces[f])) plan[f] = {s.element_size, both ? 0.5 : 1.0};
+  }
+  s.hats = contact::make_hats(s.faces, plan);
+  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+}
+
+inline assembly::Prescribed hold(const assembly::Model& m, const std::string& on, const Vec2& at_full_load) {
+  return {on,
+          geometry::boundary_nodes(m.mesh, on),
+          {true, true},
+          [at_full_load](const Vec2&, geometry::MaybeSide, double load) { return Vec2(load * at_full_load); }};
+}
+
+/// Plane-strain compression of a block with a 45-degree edge crack (Liu and Borja 2010, section 6.1).
+inline assembly::Model block(int cells_across, contact::NegativeSide side,
+                             geometry::Diagonal diagonal = geometry::Diagonal::Right) {
+  assembly::Model m;
+  m.mesh = geometry::structured_mesh({0, 0, 0.04, 0.08}, {cells_across, 2 * cells_across}, diagonal);
+  m.cracks = {{"main", {{0.0, 0.01833}, {0.0349, 0.05323}}}};
+  discretise(m, 1.0, 0.3, side, 1e10);
+  m.prescribed = {hold(m, "bottom", {0, 0}), hold(m, "top", {-0.01, -0.01})};
+  return m;
+}
+
+}  // namespace cleft::solve::models

@@ -1,0 +1,111 @@
+#include "branch.hpp"
+
+#include <algorithm>
+
+namespace cleft::tangent_check {
+
+using contact::presses, contact::Status;
+
+const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
+  if (presses(a) != presses(b)) return "opens or closes";
+  if (!presses(a)) return nullptr;
+  const auto& s = a.state;
+  const auto& t = b.state;
+  if (s.traction.status != t.traction.status) return "between stick and slip";
+  if (s.traction.status == Status::Slip && s.traction.tangential * t.traction.tangential < 0.0)
+    return "slides either way";
+  if (a.partner_face != b.partner_face) return "partner at a vertex of the face";
+  const bool ramps = s.ramp < 1.0;
+  if (ramps != (t.ramp < 1.0)) return "share at the end of the face";
+  if (ramps && (a.mouth_face != b.mouth_face || a.mouth_at_end != b.mouth_at_end)) return "between two mouths";
+  return nullptr;
+}
+
+const char* block_of(const contact::Pair& pair, const contact::Memory& memory) {
+  if (!presses(pair)) return "contact open";
+  if (pair.state.ramp < 1.0) return "contact at a mouth";
+  if (memory.anchor_face == kNone) return "contact first touch";
+  return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
+}
+
+const char* block_of(const contact::NodeState& node) {
+  if (node.leans) return "contact hat leaning";
+  if (node.status == Status::Open) return "contact hat open";
+  return node.status == Status::Stick ? "contact hat stick" : "contact hat slip";
+}
+
+namespace {
+
+// Whether what the other face bears opposite a node depends on something else: on other nodes or ends of faces, or on
+// none where the other face ends before it.
+bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
+  const auto &f = a.facing()[node], &g = b.facing()[node];
+  if (f.overlap == kNone || g.overlap == kNone) return f.overlap != g.overlap;
+  const auto &o = a.overlaps()[f.overlap], &p = b.overlaps()[g.overlap];
+  return f.strip != g.strip || o.strip != p.strip || o.partner != p.partner ||
+         f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
+}
+
+}  // namespace
+
+void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
+               std::vector<Index>& out) {
+  const auto& surfaces = model.surfaces;
+  const auto& hats = surfaces.hats;
+  const auto add_nodes = [&](Index interval) {
+    for (const Index node : {hats.intervals[interval].first, hats.intervals[interval].second})
+      out.push_back(surfaces.first_multiplier + node);
+  };
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    const auto &s = a.nodes()[i], &t = b.nodes()[i];
+    if (s.status != t.status || s.slides != t.slides || s.supported != t.supported || s.leans != t.leans ||
+        s.fades != t.fades || (!a.facing().empty() && faces_another_place(a, b, i)))
+      out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
+  }
+  const auto add_piece = [&](const contact::Piece& piece) {
+    const auto& strip = hats.strips[piece.strip];
+    add_nodes(strip.interval);
+    for (const Index face : {strip.face, piece.partner})
+      for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
+  };
+  // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
+  // end of a trail the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths jumps
+  // that compares the tractions of two faces with hats.
+  const auto at_end = [&](const contact::Piece& piece) {
+    const auto& face = surfaces.faces[hats.strips[piece.strip].face];
+    return std::array{face.previous == kNone && piece.begin == 0.0, face.next == kNone && piece.end == 1.0};
+  };
+  const auto stands_out = [&](const contact::Piece& piece) {
+    const auto [first, last] = at_end(piece);
+    return piece.trail == kNone || hats.on(piece.partner) || first || last;
+  };
+  const auto alike = [&](const contact::Piece& p, const contact::Piece& q) {
+    return p.strip == q.strip && (p.trail == kNone) == (q.trail == kNone) && at_end(p) == at_end(q) &&
+           (!hats.on(p.partner) || p.partner == q.partner);
+  };
+  const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
+    for (const auto& piece : of.pieces())
+      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& q) { return alike(piece, q); }))
+        add_piece(piece);
+  };
+  add_missing(a, b);
+  add_missing(b, a);
+}
+
+PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
+                         const contact::Memory& memory) {
+  PairUnknowns out;
+  const auto add = [&](Index face) {
+    if (face == kNone) return;
+    for (const Index unknown : model.surfaces.faces[face].start.unknown)
+      if (std::find(out.all.begin(), out.all.end(), unknown) == out.all.end()) out.all.push_back(unknown);
+  };
+  add(model.surfaces.points[point].face);
+  add(pair.partner_face);
+  out.forces = out.all.size();
+  add(memory.anchor_face);
+  add(pair.mouth_face);
+  return out;
+}
+
+}  // namespace cleft::tangent_check

@@ -1,0 +1,80 @@
+#include "cleft/tangent_check/between.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+#include "cleft/problem/build.hpp"
+#include "cleft/scene/read.hpp"
+
+namespace cleft::tangent_check {
+namespace {
+
+struct Plain {
+  growth::Evolution body;
+  explicit Plain(std::initializer_list<std::string> overrides)
+      : Plain(scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/plain.toml", overrides)) {}
+  explicit Plain(const problem::Specification& scene) : body(growth::Evolution(scene, problem::build_model(scene))) {}
+};
+
+std::vector<double> loads(Plain& run, int states) {
+  std::vector<double> out;
+  EXPECT_FALSE(visit_between(run.body, states, [&](const StateBetween& b) {
+    EXPECT_LT(b.before.load, b.load);
+    out.push_back(b.load);
+    return true;
+  }));
+  return out;
+}
+
+void expect_near(const std::vector<double>& got, const std::vector<double>& expected) {
+  ASSERT_EQ(got.size(), expected.size());
+  for (std::size_t k = 0; k < got.size(); ++k) EXPECT_NEAR(got[k], expected[k], 1e-12);
+}
+
+TEST(VisitBetween, StopsEvenlyOverTheLoadInsideOfIncrements) {
+  Plain run({"mesh.cells=[2,4]", "loading.steps=10"});
+  expect_near(loads(run, 2), {0.237, 0.737});  // in the increments up to 0.3 and 0.8
+}
+
+TEST(VisitBetween, StopsOnceAnIncrementWhereMoreStatesAreAskedFor) {
+  Plain run({"mesh.cells=[2,4]", "loading.steps=2"});
+  expect_near(loads(run, 100), {0.185, 0.685});
+}
+
+TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
+  Plain run({"mesh.cells=[2,4]", "loading.steps=4"});
+  EXPECT_FALSE(visit_between(run.body, 1, [&](const StateBetween& b) {
+    EXPECT_NEAR(b.before.load, 0.25, 1e-12);
+    const VecX& after = run.body.stepper().state().displacement;
+    EXPECT_LT((b.displacement - b.before.displacement - 0.37 * (after - b.before.displacement)).norm(), 1e-15);
+    EXPECT_GT((after - b.before.displacement).norm(), 1e-4);
+    return true;
+  }));
+}
+
+TEST(VisitBetween, EndsWhereTheVisitorHasSeenEnough) {
+  Plain run({"mesh.cells=[2,4]", "loading.steps=10"});
+  int visits = 0;
+  EXPECT_FALSE(visit_between(run.body, 5, [&](const StateBetween&) { return ++visits < 2; }));
+  EXPECT_EQ(visits, 2);
+  EXPECT_NEAR(run.body.stepper().state().load, 0.3, 1e-12);
+}
+
+TEST(VisitBetween, StopsOnceMoreWhereTheRunFails) {
+  Plain run({"mesh.cells=[2,4]", "solver.max_iterations=1", "solver.min_step=0.04"});
+  std::vector<double> seen;
+  const auto failure = visit_between(run.body, 3, [&](const StateBetween& b) {
+    seen.push_back(b.load);
+    EXPECT_GT(b.displacement.norm(), 0.0);
+    return true;
+  });
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->kind, assembly::FailureKind::NoConvergence);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_GT(seen[0], 0.0);
+  EXPECT_LT(seen[0], 0.1);
+}
+
+}  // namespace
+}  // namespace cleft::tangent_check
