@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""models.py SOURCE LIBRARY...: these libraries may hold and hand on an assembly::Model, but not fill one.
+"""models.py SOURCE FOLDER...: sources below libs/FOLDER may hold and hand on an assembly::Model, but not fill one.
 
 A model is filled where a variable of this type is declared in a file that also assigns a member of it. SOURCE is the
-folder that holds libs/.
+folder that holds libs/. A FOLDER that starts with a hyphen is a file that may: -tangent_check/src/torn_body.cpp.
 """
 import re
 import sys
@@ -23,8 +23,10 @@ def filled(text):
             yield text.count("\n", 0, found.start()) + 1, name
 
 
-def main(root, *libraries):
-    faults = [f"{path}:{line}: {name}" for path in sources.files(root, libraries) for line, name in filled(path.read_text())]
+def main(root, *folders):
+    may = [f"{root}/libs/{folder[1:]}" for folder in folders if folder.startswith("-")]
+    paths = sources.files(root, [folder for folder in folders if not folder.startswith("-")])
+    faults = [f"{path}:{line}: {name}" for path in paths if str(path) not in may for line, name in filled(path.read_text())]
     return sources.end(faults, "models are filled outside of problem")
 
 

@@ -1,17 +1,19 @@
 # What the scans of this folder read: C++ sources below libs/, without their comments.
 import pathlib
 import re
+import sys
 
 _TOKEN = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"(?P<fence>[^(\s]*)\((?P<raw>.*?)\)(?P=fence)"'
     r"|'(?:\\[^\n']+|\\'|[^'\\\n])'" r'|"(?P<text>(?:\\.|[^"\\\n])*)"', re.S)
 
 
-def files(root, libraries):
-    """The sources of these libraries, tests and benchmarks as well."""
-    for library in libraries:
-        for path in sorted(pathlib.Path(root, "libs", library).rglob("*.[ch]pp")):
-            yield path
+def files(root, folders):
+    """The sources of these folders below libs/."""
+    found = [path for folder in folders for path in sorted(pathlib.Path(root, "libs", folder).rglob("*.[ch]pp"))]
+    if not found:
+        sys.exit(f"no sources below {root}/libs in {' '.join(folders)}")
+    return found
 
 
 def literals(text):
