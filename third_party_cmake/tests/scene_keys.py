@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scene_keys.py CLEFT SOURCE LIBRARY...: no string of these libraries may name a key of the scene file.
+"""scene_keys.py CLEFT SOURCE FOLDER...: no string in the sources below libs/FOLDER may name a key of the scene file.
 
 Only `scene` and what is above it know how a user writes things down; below it an error says which quantity is wrong.
 The keys are those that the program CLEFT lists. SOURCE is the folder that holds libs/.
@@ -28,10 +28,10 @@ def pattern_of(keys, sections):
     return re.compile(rf"(?<!\w)(?:(?:{some})(?!\w)|(?:{section})(?:\[|\.\{{))|\A(?:{section})\.\Z")
 
 
-def main(program, root, *libraries):
+def main(program, root, *folders):
     pattern = pattern_of(*listed_keys(program))
     faults = []
-    for path in sources.files(root, libraries):
+    for path in sources.files(root, folders):
         for line, content in sources.literals(path.read_text()):
             if found := pattern.search(content):
                 faults.append(f"{path}:{line}: {found[0]}")
