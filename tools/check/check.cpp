@@ -49,7 +49,7 @@ std::string describe(const problem::GrowthLaw& law) {
 
 std::string name_of(const problem::MaterialSpec::Region& region) {
   if (region.crack.empty()) return "region " + region.name;
-  return fmt::format("the body {} of crack {}", region.side == geometry::Side::Left ? "left" : "right", region.crack);
+  return fmt::format("the body {} of crack {}", name_of(region.side), region.crack);
 }
 
 std::string describe(const problem::MaterialSpec& m) {
