@@ -144,8 +144,7 @@ int check(const Options& options) {
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
-  const bool small = scene.kinematics == problem::Kinematics::Small;
-  print("kinematics", small ? "small" : "finite");
+  print("kinematics", std::string(name_of(scene.kinematics)));
   for (const auto& m : scene.materials) print("material", describe(m));
   print_loads(scene);
   print("switched on", switched_on(scene, model));

@@ -13,8 +13,8 @@ using Sine = CrackSpec::Sine;
 
 const std::vector<std::string_view> kCriteria{"rankine", "hoop-stress"};  // as the alternatives of GrowthCriterion
 
-const auto kTips = std::vector<Named<std::array<bool, 2>>>{
-    {{true, true}, "both"}, {{true, false}, "start"}, {{false, true}, "end"}};
+const auto kTips =
+    std::vector<Named<std::array<bool, 2>>>{{{true, true}, "both"}, {{true, false}, "start"}, {{false, true}, "end"}};
 
 const std::vector<Named<bool>> kMethods{{false, "penalty"}, {true, "mortar"}};  // Mortar::on
 
@@ -60,10 +60,13 @@ const Table<CrackSpec>& contact_table() {
   const auto smoothing = [](auto& crack) -> auto& { return crack.mortar.smoothing; };
   const auto hat_width = [](auto& crack) -> auto& { return crack.mortar.hat_width; };
   static const Table<CrackSpec> table{
-      {Row::choice("method", on, kMethods, "").otherwise("mortar, or penalty where one is given").filled(default_method),
+      {Row::choice("method", on, kMethods, "")
+           .otherwise("mortar, or penalty where one is given")
+           .filled(default_method),
        Row::number("smoothing", smoothing, kNotNegative, "of the tractions; 0: exact constraints").of({"mortar"}),
        Row::number("hat_width", hat_width, kSizes, "element sizes")
-           .otherwise("1, without smoothing 2").filled(default_hat_width)
+           .otherwise("1, without smoothing 2")
+           .filled(default_hat_width)
            .of({"mortar"}),
        Row::number("normal_penalty", &CrackSpec::normal_penalty, kPositive.in("Pa/m"), "of the gap")
            .otherwise("E/h")
@@ -91,8 +94,6 @@ void check_name(const Section& s, const std::string& name) {
 
 void finish(const Section& s, CrackSpec& crack) {
   if (s.has("name")) check_name(s, crack.name);
-  if (crack.sine && s.has("points"))
-    s.fail("points", "a crack is either a polyline or a curve; allowed: points or curve");
   if (crack.sine && crack.sine->start == crack.sine->end)
     s.fail("end", "the curve has no length; allowed: an end apart from the start");
   if (!crack.sine) {
@@ -111,6 +112,7 @@ const Table<CrackSpec>& crack_table() {
   const auto sine = [](auto member) { return within<Sine>(&CrackSpec::sine, member); };
   const auto read_curve = [](const Section& s, CrackSpec& crack) {
     s.choice("curve", {"sine"});
+    if (s.has("points")) s.fail("points", "a crack is either a polyline or a curve; allowed: points or curve");
     crack.sine.emplace();
   };
   const auto write_curve = [](const CrackSpec& crack, Json& j) {

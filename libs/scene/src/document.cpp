@@ -191,7 +191,8 @@ std::vector<std::string> Section::texts(std::string_view key) const {
 std::size_t Section::choice(std::string_view key, const std::vector<std::string_view>& allowed) const {
   const std::string value = text(key);
   const auto at = std::ranges::find(allowed, value);
-  if (at == allowed.end()) fail(key, fmt::format("'{}' is not available; allowed: {}", value, fmt::join(allowed, ", ")));
+  if (at == allowed.end())
+    fail(key, fmt::format("'{}' is not available; allowed: {}", value, fmt::join(allowed, ", ")));
   return static_cast<std::size_t>(at - allowed.begin());
 }
 

@@ -39,8 +39,7 @@ void check_place(const Section& s, const BoundarySpec& boundary) {
   if (s.has("on") == s.has("box")) s.fail("on", "says where the boundary is; allowed: exactly one of on and box");
   if (!boundary.box) return;
   const auto& box = *boundary.box;
-  if (box[2] < box[0] || box[3] < box[1])
-    s.fail("box", "the box is empty; allowed: xmin <= xmax and ymin <= ymax");
+  if (box[2] < box[0] || box[3] < box[1]) s.fail("box", "the box is empty; allowed: xmin <= xmax and ymin <= ymax");
 }
 
 void finish(const Section& s, BoundarySpec& boundary) {

@@ -30,9 +30,8 @@ void write_region(const MaterialSpec& material, Json& j) {
 }
 
 void finish(const Section& s, MaterialSpec& m) {
-  if (m.model == "drucker-prager" &&
-      !constitutive::always_returns(
-          {constitutive::lame(m.young, m.poisson), m.cohesion, m.friction, m.dilatancy, m.hardening}))
+  if (m.model == "drucker-prager" && !constitutive::always_returns({constitutive::lame(m.young, m.poisson), m.cohesion,
+                                                                    m.friction, m.dilatancy, m.hardening}))
     s.fail("dilatancy", "0 leaves no return to the apex of a cone; allowed: greater than 0 where friction is");
 }
 

@@ -46,8 +46,7 @@ auto in(Member Alternative::*member) {
 
 void read_box(const Section& s, MeshSpec& mesh) {
   const auto box = Kind<std::array<double, 4>>::read(s, "box");
-  if (!(box[2] > box[0]) || !(box[3] > box[1]))
-    s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
+  if (!(box[2] > box[0]) || !(box[3] > box[1])) s.fail("box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
   if (auto* structured = std::get_if<StructuredMesh>(&mesh.kind))
     structured->box = box;
   else
@@ -112,8 +111,7 @@ void complete_outline(const Section& s, geometry::Outline& outline) {
 
 void check(const Section& s, const DelaunayMesh& mesh) {
   if (mesh.crack_size > mesh.size) s.fail("crack_size", "larger than size; allowed: at most size");
-  if (mesh.tip_size > mesh.crack_size)
-    s.fail("tip_size", "larger than the size along cracks; allowed: at most that");
+  if (mesh.tip_size > mesh.crack_size) s.fail("tip_size", "larger than the size along cracks; allowed: at most that");
 }
 
 void finish(const Section& s, MeshSpec& mesh) {
@@ -163,10 +161,12 @@ const Table<MeshSpec>& mesh_table() {
        Row::value("holes", holes, "m; boundaries hole1, hole2, ...").of({"delaunay"}),
        Row::number("size", in(&DelaunayMesh::size), kLength, "longest edge").needed().of({"delaunay"}),
        Row::number("crack_size", in(&DelaunayMesh::crack_size), kLength, "longest edge along cracks")
-           .otherwise("size").filled(size)
+           .otherwise("size")
+           .filled(size)
            .of({"delaunay"}),
        Row::number("tip_size", in(&DelaunayMesh::tip_size), kLength, "longest edge at tips")
-           .otherwise("crack_size").filled(crack_size)
+           .otherwise("crack_size")
+           .filled(crack_size)
            .of({"delaunay"}),
        Row::number("gradation", in(&DelaunayMesh::gradation), kGradation, "growth of the size per distance")
            .of({"delaunay"}),

@@ -121,7 +121,8 @@ const Table<Specification>& formulation_table() {
   constexpr Allowed kBall{kNotNegative.holds, "0 (none) or a radius", "m"};
   static const Table<Specification> table{{
       Row::choice("kinematics", &Specification::kinematics, ""),
-      Row::value("f_bar", &Specification::f_bar, "patches of two cells share their change of volume and their pressure"),
+      Row::value("f_bar", &Specification::f_bar,
+                 "patches of two cells share their change of volume and their pressure"),
       Row::number("tip_enrichment", &Specification::tip_enrichment, kBall, "radius of tip enrichment; 0: none"),
   }};
   return table;

@@ -133,8 +133,7 @@ void check_names(const Section& s, const std::vector<Quantity>& all) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (all[k].name == all[i].name)
-        sections[i].fail("name",
-                         fmt::format("'{}' names another quantity, too; allowed: distinct names", all[k].name));
+        sections[i].fail("name", fmt::format("'{}' names another quantity, too; allowed: distinct names", all[k].name));
   if (all.empty()) throw InputError(s.at(), "quantity", "missing; allowed: at least one [[quantity]] section");
 }
 

@@ -75,9 +75,9 @@ struct Table;
 
 /// How an array of sections is written.
 enum class Listed {
-  Always,     ///< as an array, even an empty one
-  IfAny,      ///< as an array, unless it is empty
-  AloneItself ///< as an array, or as the section itself where there is one only
+  Always,      ///< as an array, even an empty one
+  IfAny,       ///< as an array, unless it is empty
+  AloneItself  ///< as an array, or as the section itself where there is one only
 };
 
 /// A key of a section that describes a `Spec`.
@@ -88,13 +88,13 @@ struct Row {
   using Describe = std::function<void(const std::string& section, std::vector<Key>&)>;
 
   std::string name, type, help;
-  std::string standard{};            ///< the default as documentation says it
-  bool required = false;             ///< wherever it belongs
+  std::string standard{};             ///< the default as documentation says it
+  bool required = false;              ///< wherever it belongs
   std::vector<std::string> owners{};  ///< values of the table's selector that it belongs to; empty: to all
-  Read read{};                       ///< of a key that is there
-  Read fill{};                       ///< sets a default that follows from what was read before
-  Write write{};                     ///< into the section's JSON
-  Describe below{};                  ///< the keys of its section
+  Read read{};                        ///< of a key that is there
+  Read fill{};                        ///< sets a default that follows from what was read before
+  Write write{};                      ///< into the section's JSON
+  Describe below{};                   ///< the keys of its section
 
   /// \name Kinds of values. `member` is a pointer to a member, or callable as one; it may be a std::optional.
   ///@{
@@ -204,19 +204,18 @@ struct Table {
 [[noreturn]] void refuse_owner(const Section& s, const std::string& key, const std::vector<std::string>& owners,
                                const std::string& selector, const std::string& value);
 
-/// Fills `spec` from a section. Throws InputError.
+/// Fills `spec` from a section, row by row. What is wrong with a key that is there is said before what is missing.
+/// Throws InputError.
 template <class Spec>
 void read(const Table<Spec>& table, const Section& s, Spec& spec) {
   for (const Row<Spec>& row : table.rows) {
     const bool given = s.has(row.name), belongs = table.has(row, spec);
     if (given && !belongs) refuse_owner(s, row.name, row.owners, table.selector.key, table.selector.value(spec));
-    if (given)
-      row.read(s, spec);
-    else if (belongs && row.required)
-      s.require(row.name);
-    else if (belongs && row.fill)
-      row.fill(s, spec);
+    if (given) row.read(s, spec);
+    if (!given && belongs && row.fill) row.fill(s, spec);
   }
+  for (const Row<Spec>& row : table.rows)
+    if (row.required && table.has(row, spec)) s.require(row.name);
   if (table.finish) table.finish(s, spec);
 }
 
