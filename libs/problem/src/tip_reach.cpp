@@ -57,7 +57,7 @@ void refuse_held_nodes(const Specification& scene, const assembly::Model& m, Ind
     }
 }
 
-// By what intensities may be off at most, in percent: as seen on the exact field (README.md of enrichment).
+// By what intensities may be off at most, in percent: as seen on the exact field (tools/docs/pages/tips.md).
 double expected_error(const assembly::Model& m, Index tip) {
   constexpr double kTiny = 2.0;  // element sizes of a ball whose functions do not reach beyond the tip's neighbours
   const double elements = elements_within_reach(m, tip);
