@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "cleft/support/error.hpp"
+#include "cleft/support/names.hpp"
 #include "cleft/support/types.hpp"
 
 namespace cleft::geometry {
 
 /// A side of a crack, seen along its direction from the first to the last point.
 enum class Side : std::uint8_t { Right = 0, Left = 1 };
+constexpr std::array<Named<Side>, 2> names_of(Side) { return {{{Side::Left, "left"}, {Side::Right, "right"}}}; }
 inline Side other(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
 
 /// A side where there is one to tell; none away from the triangles that a crack divides.

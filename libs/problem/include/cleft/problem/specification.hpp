@@ -13,6 +13,7 @@
 #include "cleft/geometry/delaunay.hpp"
 #include "cleft/solve/stepping.hpp"
 #include "cleft/support/error.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::problem {
 
@@ -70,6 +71,9 @@ bool is_plastic(const MaterialSpec& material);
 bool is_viscous(const MaterialSpec& material);
 
 enum class Kinematics : std::uint8_t { Finite, Small };
+constexpr std::array<Named<Kinematics>, 2> names_of(Kinematics) {
+  return {{{Kinematics::Finite, "finite"}, {Kinematics::Small, "small"}}};
+}
 
 /// A tip advances where the largest principal value of the mean Cauchy stress around it reaches a strength.
 struct Rankine {
