@@ -8,7 +8,7 @@
 
 #include "cleft/convergence/profile.hpp"
 #include "cleft/results/files.hpp"
-#include "cleft/results/results.hpp"
+#include "cleft/simulation/contents.hpp"
 #include "cleft/simulation/run.hpp"
 
 namespace cleft::convergence {
@@ -82,7 +82,7 @@ void check_quantities(const scene::Study& study, const problem::Specification& s
   const std::vector<std::string> profile_columns{
       "gap",    "tn", "tt", "pressure", "slip", "partner_s", "partner_pressure", "opening", "jump_n",
       "jump_t", "s",  "X",  "Y",        "x",    "y"};
-  const auto columns = results::history_columns(s);
+  const auto columns = results::history_columns(simulation::contents_of(s));
   for (std::size_t k = 0; k < study.quantities.size(); ++k) {
     const auto& q = study.quantities[k];
     const auto refuse = [&](const char* key, const std::string& problem) {
