@@ -9,9 +9,9 @@ import scenes
 from markdown import PAGES, Mistake, equations, expand, number_equations
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Pages by their names, in the order of the bar at the top; `scenes` is made here.
-BAR = {"index": "cleft", "start": "First steps", "format": "Scene files", "commands": "Commands", "theory": "Theory", "scenes": "Scenes",
-       "program": "In a program", "material": "A new material", "contact": "A new contact", "criterion": "A new criterion"}
+# Pages by their names, in the order of the bar at the top; `scenes` is made here. The page `index` leads to all others.
+BAR = {"index": "cleft", "start": "First steps", "format": "Scene files", "commands": "Commands", "results": "Results", "troubles": "What goes wrong",
+       "known_answers": "Accuracy", "speed": "Speed", "theory": "Theory", "scenes": "Scenes", "program": "In a program"}
 
 
 def bar():
@@ -42,7 +42,8 @@ def main(folder):
     out = pathlib.Path(folder)
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    shutil.copyfile(HERE / "style.css", out / "style.css")
+    for file in (HERE / "style.css", *PAGES.glob("*.png")):
+        shutil.copyfile(file, out / file.name)
     for file in sorted(PAGES.glob("*.md")):
         try:
             title, text = split_title(file.read_text())

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import tomllib
 
-from markdown import PROGRAM, ROOT, Mistake
+from markdown import PAGES, PROGRAM, ROOT, Mistake
 
 SCENES = ROOT / "verification/scenes"
 RUNS = ROOT / "build/docs/runs"
@@ -22,8 +22,8 @@ def leading_comment(text):
 
 
 def held_against(name):
-    """The rows of verification/README.md of the tests that solve the scene; those of verification/hard have scenes of their own."""
-    table = re.findall(r"^\| `(\w+)` \| (.+) \|$", (ROOT / "verification/README.md").read_text(), re.MULTILINE)
+    """The rows of pages/known_answers.md of the tests that solve the scene; those of verification/hard have scenes of their own."""
+    table = re.findall(r"^\| `(\w+)` \| (.+) \|$", (PAGES / "known_answers.md").read_text(), re.MULTILINE)
     rows = []
     for test, meaning in table:
         source = ROOT / f"verification/tests/{test}.cpp"

@@ -137,7 +137,7 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
 
 // The mean over a disc of fixed radius has a limit; so has the load at which it reaches the strength, to the first
 // order in the element. Tension and pressure nearly cancel in it, so that its own error counts eight times in the load.
-// Finer meshes: verification/README.md.
+// Finer meshes: "Growing wings" in tools/docs/pages/benchmarks.md.
 TEST(WingCrack, LoadsAndPathOfAllAdvancesConverge) {
   Case table("wing crack, 50, 75 and 100 cells");
   std::vector<double> first, last;
@@ -170,7 +170,8 @@ TEST(WingCrack, FrictionDelaysGrowthAndPreventsIt) {
                some = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.3"})),
                much = first(solve("wing_crack", {"loading.steps=20", "crack.main.friction=0.6"}));
   EXPECT_GT(much, 1.0);
-  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see verification/README.md
+  // what slides is driven by s/2 (1 - mu) and the mean stress is less by the pressure: see
+  // tools/docs/pages/benchmarks.md
   const auto tension = [](double mu) { return 0.5 * (1.0 - mu); };
   EXPECT_GT(some / little, tension(0.1) / tension(0.3));
   EXPECT_LT(some, 0.7);

@@ -114,7 +114,8 @@ TEST(InteractionIntegral, GoesNoFartherThanTheBodyIsWhole) {
   }
 }
 
-// Both functions and unknowns of the ball stay; only the integral becomes narrow. README.md has the table.
+// Both functions and unknowns of the ball stay; only the integral becomes narrow. tools/docs/pages/tips.md has the
+// table.
 TEST(InteractionIntegral, IsWithinOnePercentDownToHalfAnElement) {
   const CrackField exact{{0.0312, 0.0137}, 0.4, 1.0, 0.7, {}};
   Plate plate = test::box_with_crack(40, exact.tip, 0.4, 0.25);  // 5 h

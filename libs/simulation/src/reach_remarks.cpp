@@ -11,7 +11,7 @@ using problem::elements_within_reach, problem::kLeastReach, problem::kSoundReach
 
 constexpr double kSoundError = 1.0;  // percent
 
-// By what intensities may be off at most, in percent: as seen on the exact field (README.md of enrichment).
+// By what intensities may be off at most, in percent: as seen on the exact field (tools/docs/pages/tips.md).
 double expected_error(const assembly::Model& m, Index tip) {
   constexpr double kTiny = 2.0;  // element sizes of a ball whose functions do not reach beyond the tip's neighbours
   const double elements = elements_within_reach(m, tip);

@@ -1,6 +1,7 @@
 """The checks of the documentation find what they are there for."""
 
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -78,6 +79,62 @@ class Pages(unittest.TestCase):
     def test_a_scene_begins_with_what_it_is(self):
         self.assertEqual(scenes.leading_comment("# One\n# two.\n\n# three\ntitle = 1\n"), "One\ntwo.")
         self.assertIn("through_crack", [test for test, _ in scenes.held_against("through_crack")])
+
+
+class Readme(unittest.TestCase):
+    TEXT = (markdown.ROOT / "README.md").read_text()
+
+    def test_is_short(self):
+        lines = self.TEXT.splitlines()
+        self.assertLessEqual(len(lines), 150)
+        self.assertLessEqual(max(map(len, lines)), 120)
+
+    def test_shows_the_scene_that_its_commands_run(self):
+        self.assertIn(f"```toml\n{(markdown.PAGES / 'slide.toml').read_text()}```\n", self.TEXT)
+
+    def test_links_lead_to_files(self):
+        links = re.findall(r"\]\(([\w./-]+)\)", self.TEXT)
+        self.assertGreater(len(links), 0)
+        self.assertEqual([link for link in links if not (markdown.ROOT / link).is_file()], [])
+
+
+class Texts(unittest.TestCase):
+    """README.md, the READMEs of the folders, and the pages."""
+    FILES = [markdown.ROOT / "README.md", *markdown.PAGES.glob("*.md"),
+             *(file for folder in ("libs", "verification") for file in (markdown.ROOT / folder).rglob("README.md"))]
+    PATH = re.compile(r"`((?:tools|libs|verification|third_party_cmake)/[\w./-]+)`")
+
+    def test_name_files_that_there_are(self):
+        named = [(file.relative_to(markdown.ROOT), path) for file in self.FILES for path in self.PATH.findall(file.read_text())]
+        self.assertGreater(len(named), 50)
+        self.assertEqual([(str(file), path) for file, path in named if not (markdown.ROOT / path).exists()], [])
+
+
+class Libraries(unittest.TestCase):
+    NAMES = re.search(r"set\(CLEFT_LIBRARIES\s+([^)]*)\)", (markdown.ROOT / "third_party_cmake/CleftArrows.cmake").read_text())[1].split()
+
+    def test_are_listed_lowest_first(self):
+        listed = re.findall(r"^\| `(\w+)` \|", (markdown.ROOT / "tools/docs/libraries.md").read_text(), re.MULTILINE)
+        self.assertEqual(listed, self.NAMES)
+
+    def test_have_their_headers_in_the_reference(self):
+        stripped = re.findall(r"libs/(\w+)/include", (markdown.ROOT / "tools/docs/Doxyfile").read_text())
+        self.assertEqual(stripped, self.NAMES)
+
+    def test_say_on_half_a_page_what_may_not_go_in(self):
+        for name in self.NAMES:
+            with self.subTest(name):
+                text = (markdown.ROOT / "libs" / name / "README.md").read_text()
+                self.assertTrue(text.startswith(f"# {name}\n"))
+                self.assertLessEqual(len(text.splitlines()), 25)
+                self.assertIn("may not go in", text.lower())
+
+
+class Index(unittest.TestCase):
+    def test_leads_to_every_page(self):
+        text = (markdown.PAGES / "index.md").read_text()
+        lost = [page.stem for page in markdown.PAGES.glob("*.md") if page.stem != "index" and f"({page.stem}.html)" not in text]
+        self.assertEqual(lost, [])
 
 
 class Commands(unittest.TestCase):

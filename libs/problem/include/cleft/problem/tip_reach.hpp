@@ -11,7 +11,7 @@ namespace cleft::problem {
 double elements_within_reach(const assembly::Model& model, Index tip);
 
 /// A tip with fewer element sizes within its reach has no intensities, and with fewer than kSoundReach they may be off
-/// by more than 1 % (README.md of enrichment has a table: by up to 10 % at finite strain).
+/// by more than 1 % (tools/docs/pages/tips.md has a table: by up to 10 % at finite strain).
 inline constexpr double kLeastReach = 0.5, kSoundReach = 3.0;
 
 /// kLeastReach in metres.
