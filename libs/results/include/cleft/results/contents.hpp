@@ -13,11 +13,11 @@ struct Contents {
     std::string name;
     bool has_intensities = false;  ///< whether the stress intensity factors of its tips are told
   };
-  std::vector<std::string> boundaries;  ///< names of those whose reactions are told, in the model's order
-  std::vector<Crack> cracks;            ///< in the model's order
-  bool is_plastic = false;              ///< some material flows
-  bool grows = false;                   ///< some crack may grow
-  bool follows_path = false;            ///< solve::Control::Path
+  std::vector<std::string> boundaries{};  ///< names of those whose reactions are told, in the model's order
+  std::vector<Crack> cracks{};            ///< in the model's order
+  bool is_plastic = false;                ///< some material flows
+  bool grows = false;                     ///< some crack may grow
+  bool follows_path = false;              ///< solve::Control::Path
 };
 
 /// The columns of history.csv.
