@@ -1,4 +1,5 @@
 // consumer SCENE.toml: solves a scene and prints pressure and slip along its cracks at full load.
+#include <cleft/growth/evolution.hpp>
 #include <cleft/problem/build.hpp>
 #include <cleft/results/crack_profile.hpp>
 #include <cleft/scene/read.hpp>
