@@ -18,9 +18,10 @@ install(FILES README.md tools/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY verification/scenes DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# Who links the libraries needs the -dev packages that the build needs, but for those of the tests and the program.
+# Who links the libraries needs the -dev packages that the build needs, but for those of the tests, the program and its
+# internal libraries.
 file(STRINGS tools/packages.txt packages REGEX "-dev$")
-list(FILTER packages EXCLUDE REGEX "gtest|rapidcheck|benchmark|cli11")
+list(FILTER packages EXCLUDE REGEX "gtest|rapidcheck|benchmark|cli11|ceres")
 list(JOIN packages ", " CPACK_DEBIAN_PACKAGE_SUGGESTS)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

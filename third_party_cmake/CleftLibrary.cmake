@@ -1,4 +1,5 @@
 # cleft_library(NAME
+#   [INTERNAL]
 #   DEPENDS <libraries of cleft below this one>
 #   PUBLIC  <imported targets that its headers need>
 #   PRIVATE <imported targets that only its sources need>
@@ -6,7 +7,8 @@
 #   SLOW    <patterns of its tests that take long: see cleft_tests>)
 #
 # declares library NAME in the folder libs/NAME, with its include/, src/, tests/ and benchmarks/:
-#   cleft_NAME, alias cleft::NAME   static library (interface library without sources), installed and exported
+#   cleft_NAME, alias cleft::NAME   static library (interface library without sources), installed and
+#                                   exported unless it is INTERNAL: then only the program of this tree links it
 #   test_NAME                       tests, if CLEFT_TESTS; they see src/ as well, for the private headers. They are labelled
 #                                   `library`, and the target library_tests builds those of all libraries
 #   bench_NAME                      benchmarks, if CLEFT_BENCHMARKS; likewise
@@ -16,7 +18,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/CleftArrows.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/CleftTarget.cmake)
 
 function(cleft_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST;SLOW")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;PUBLIC;PRIVATE;TEST;SLOW")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "cleft_library: ${name}: unknown argument ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -41,9 +43,12 @@ function(cleft_library name)
   target_link_libraries(${library} ${scope} ${lower} ${arg_PUBLIC})
   set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
 
-  install(TARGETS ${library} EXPORT cleft INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  if(EXISTS ${here}/include)
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(NOT arg_INTERNAL)
+    set_property(GLOBAL APPEND PROPERTY CLEFT_EXPORTED ${name})
+    install(TARGETS ${library} EXPORT cleft INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    if(EXISTS ${here}/include)
+      install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    endif()
   endif()
 
   cleft_tests(${name} ${library} ${arg_TEST} LABELS library SLOW ${arg_SLOW})

@@ -73,7 +73,8 @@ endfunction()
 
 # Static libraries: whoever uses another stands before it.
 set(own "")
-foreach(library IN LISTS CLEFT_LIBRARIES)
+get_property(exported GLOBAL PROPERTY CLEFT_EXPORTED)
+foreach(library IN LISTS exported)
   get_target_property(type cleft_${library} TYPE)
   if(type STREQUAL STATIC_LIBRARY)
     list(PREPEND own -lcleft_${library})

@@ -1,5 +1,5 @@
-# The packages that cleft is built on, with the least version: for the build and, as the libraries are static, for
-# whoever links the installed ones.
+# The packages that the installed libraries are built on, with the least version: for the build and, as they are static,
+# for whoever links them.
 set(CLEFT_PACKAGES
   "Eigen3 3.4"
   "fmt 9"
@@ -11,8 +11,7 @@ set(CLEFT_PACKAGES
   "tomlplusplus 3.3"
   "pugixml 1.13"
   "ZLIB"
-  "nlohmann_json 3.11"
-  "Ceres 2.1")
+  "nlohmann_json 3.11")
 
 # SuiteSparse, MUMPS and METIS have find modules of ours, beside this file.
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})

@@ -1,4 +1,4 @@
-# find_package(cleft): targets cleft::support, cleft::geometry, ... cleft::report, each with what it needs.
+# find_package(cleft): a target for each installed library, cleft::support to cleft::report, with what it needs.
 include(CMakeFindDependencyMacro)
 include(${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake)
 foreach(cleft_package IN LISTS CLEFT_PACKAGES)

@@ -21,6 +21,10 @@ demand("${control}" "Package: cleft" "Version: ${VERSION}" "Depends: [^\n]*libc6
   "Depends: [^\n]*libdmumps|Depends: [^\n]*libmumps" "Depends: [^\n]*libspdlog" "Recommends: gnuplot-nox"
   "Suggests: [^\n]*libeigen3-dev")
 
+if(control MATCHES "Suggests: [^\n]*libceres")
+  message(FATAL_ERROR "whoever links the libraries is told to install Ceres:\n${control}")
+endif()
+
 set(root ${WORK}/root)
 run(dpkg-deb -x ${package} ${root})
 answer(version ${root}/usr/bin/cleft --version)

@@ -6,7 +6,7 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
-#include "cleft/simulation/remarks.hpp"
+#include "cleft/simulation/remarks_before.hpp"
 #include "text.hpp"
 #include "verbs.hpp"
 
@@ -152,7 +152,7 @@ int check(const Options& options) {
   const bool symmetric = solve::LoadStepper::factorisation_for(model) == solve::Factorisation::Symmetric;
   print("factorisation", fmt::format("{}{}", symmetric ? "symmetric (MUMPS)" : "unsymmetric (MUMPS)",
                                      model.is_linear() ? ", one for all loads" : ""));
-  const auto notes = simulation::remarks(scene, model);
+  const auto notes = simulation::remarks_before(scene, model);
   for (const auto& note : notes) print("note", note);
   print("sound", notes.empty() ? "nothing stands against solving this scene"
                                : "nothing stands against solving this scene; mind the notes");

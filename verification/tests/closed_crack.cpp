@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cleft/convergence/fit.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/crack_profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -76,7 +76,7 @@ Measured measure(int cells, const Fault& fault) {
   std::vector<double> pressures;
   Measured out;
   out.h = fault.h(cells) / a;
-  const auto points = results::profile(solved.stepper);
+  const auto points = results::crack_profile(solved.stepper);
   for (std::size_t p = 0; p < points.size(); ++p) {
     const double weight = solved.model.surfaces.points[p].weight, place = (points[p].reference - centre).norm() / a;
     const double exact_slip = largest * std::sqrt(1.0 - place * place), slip = points[p].slip;
@@ -136,7 +136,7 @@ TEST_P(ClosedCrack, SticksWhereFrictionSuffices) {
   const double a = fault.half.norm(), h = fault.h(kCells);
   std::vector<double> slip, shear;
   int loose = 0;
-  for (const auto& point : results::profile(solved.stepper)) {
+  for (const auto& point : results::crack_profile(solved.stepper)) {
     const double from_tip = a - (point.reference - fault.center).norm();
     slip.push_back(point.slip);
     if (from_tip > 0.2 * a) shear.push_back(std::fabs(point.tangential));

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-#include "cleft/convergence/profile.hpp"
+#include "cleft/convergence/curve_distance.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -94,7 +94,7 @@ problem::Specification half_loaded(const std::vector<std::string>& mesh, const s
 // Distance of the pressure from a reference over the inner 80 % of the contact, L2, relative.
 double error_of(const Solved& run, const std::string& file, const std::array<double, 2>& inner) {
   const auto table = reference(file);
-  convergence::Profile own;
+  convergence::Curve own;
   for (const Row& row : run.profile("main", 1.0)) {
     own.place.push_back(number(row, "s"));
     own.value.push_back(number(row, "pressure"));

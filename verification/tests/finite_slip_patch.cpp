@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "cleft/assembly/stress.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/crack_profile.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -156,7 +156,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
       ++cells;
       strain = std::fmax(strain, (cell.deformation(stepper.state().displacement) - F).norm());
     }
-    for (const auto& point : results::profile(stepper)) {
+    for (const auto& point : results::crack_profile(stepper)) {
       const bool on_rigid = point.side != patch.elastic;
       if (on_rigid && point.status == contact::Status::Open) continue;  // past the other face
       ++points;
@@ -167,7 +167,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
       opposite.push_back(point.partner_pressure);
     }
   }
-  for (const auto& point : results::profile(stepper)) least_slip = std::fmin(least_slip, point.slip);
+  for (const auto& point : results::crack_profile(stepper)) least_slip = std::fmin(least_slip, point.slip);
   EXPECT_GE(positions, 75);
   EXPECT_GT(cells, 50 * positions);
   EXPECT_GT(points, 2 * positions);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "cleft/convergence/fit.hpp"
-#include "cleft/convergence/profile.hpp"
+#include "cleft/convergence/curve_distance.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 // Pressure over the current height, and the part of it in which the points press.
 struct Pressed {
-  convergence::Profile profile;
+  convergence::Curve profile;
   std::array<double, 2> zone{1.0, -1.0};
 };
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cleft/assembly/stress.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/crack_profile.hpp"
 #include "solved.hpp"
 
 namespace cleft::verification {
@@ -56,7 +56,7 @@ Map map_of(const std::string& name, const std::vector<std::string>& overrides = 
     }
   });
   double end = 0.0;
-  const auto points = results::profile(solved.stepper);
+  const auto points = results::crack_profile(solved.stepper);
   for (const auto& point : points) end = std::max(end, point.s);
   for (const auto& point : points)
     if (point.s > end - 0.004) map.opening = std::max(map.opening, std::isnan(point.gap) ? 0.0 : point.gap);

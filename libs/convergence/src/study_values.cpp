@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cleft/convergence/profile.hpp"
+#include "cleft/convergence/curve_distance.hpp"
 #include "cleft/results/files.hpp"
-#include "cleft/results/results.hpp"
+#include "cleft/simulation/contents.hpp"
 #include "cleft/simulation/run.hpp"
 
 namespace cleft::convergence {
@@ -50,8 +50,8 @@ void keep_side(results::CsvTable& table, const std::string& wanted) {
   std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != side; });
 }
 
-// The rows of a profile at the quantity's load; all rows of a table without loads.
-Profile profile_of(const std::string& path, const Quantity& q) {
+// The curve of a table: its rows at the quantity's load; all rows of a table without loads.
+Curve curve_of(const std::string& path, const Quantity& q) {
   auto table = results::read_csv(path);
   if (std::find(table.header.begin(), table.header.end(), "load") != table.header.end()) {
     const auto loads = table.column("load");
@@ -65,8 +65,8 @@ Profile profile_of(const std::string& path, const Quantity& q) {
   return {table.column(q.along), table.column(q.column)};
 }
 
-double profile_value(const StudyRun& run, const Quantity& q, const Profile& reference) {
-  const Profile own = profile_of(run.folder + "/crack_" + q.crack + ".csv", q);
+double profile_value(const StudyRun& run, const Quantity& q, const Curve& reference) {
+  const Curve own = curve_of(run.folder + "/crack_" + q.crack + ".csv", q);
   const auto range = q.range ? q.range : common_range(own, reference);
   if (!range)
     throw std::runtime_error(fmt::format("{}: '{}' has no part of the abscissa in common", run.folder, q.name));
@@ -82,7 +82,7 @@ void check_quantities(const scene::Study& study, const problem::Specification& s
   const std::vector<std::string> profile_columns{
       "gap",    "tn", "tt", "pressure", "slip", "partner_s", "partner_pressure", "opening", "jump_n",
       "jump_t", "s",  "X",  "Y",        "x",    "y"};
-  const auto columns = results::history_columns(s);
+  const auto columns = results::history_columns(simulation::contents_of(s));
   for (std::size_t k = 0; k < study.quantities.size(); ++k) {
     const auto& q = study.quantities[k];
     const auto refuse = [&](const char* key, const std::string& problem) {
@@ -110,7 +110,7 @@ void check_quantities(const scene::Study& study, const problem::Specification& s
                                  q.side, q.crack));
     if (q.reference.empty()) continue;
     try {
-      profile_of(q.reference, q);
+      curve_of(q.reference, q);
     } catch (const std::runtime_error& error) {
       refuse("reference",
              fmt::format("{}; allowed: a CSV file with the columns {} and {}", error.what(), q.along, q.column));
@@ -131,9 +131,9 @@ void read_counts(StudyRun& run) {
 
 void read_values(const scene::Study& study, std::span<StudyRun> runs) {
   for (const auto& q : study.quantities) {
-    Profile reference;
+    Curve reference;
     if (q.kind == Quantity::Kind::Profile)
-      reference = profile_of(q.reference.empty() ? runs.back().folder + "/crack_" + q.crack + ".csv" : q.reference, q);
+      reference = curve_of(q.reference.empty() ? runs.back().folder + "/crack_" + q.crack + ".csv" : q.reference, q);
     for (auto& run : runs) {
       const bool is_reference = q.kind == Quantity::Kind::Profile && q.reference.empty() && &run == &runs.back();
       if (is_reference)

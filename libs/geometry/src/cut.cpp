@@ -136,4 +136,10 @@ CutMesh cut(const Mesh& mesh, const std::vector<Crack>& cracks) {
   return result;
 }
 
+Index ball_at(const CutMesh& cut, Index crack, int end) {
+  for (std::size_t tip = 0; tip < cut.tips.size(); ++tip)
+    if (cut.tips[tip].crack == crack && cut.tips[tip].end == end) return static_cast<Index>(tip);
+  return kNone;
+}
+
 }  // namespace cleft::geometry

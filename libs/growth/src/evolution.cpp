@@ -137,7 +137,7 @@ std::variant<Step, Failure> Evolution::increase(const solve::IterationObserver& 
 // told.
 Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) const {
   const auto& ahead = due.demand.ahead;
-  const Index ball = problem::ball_at(*model_, due.tip.crack, due.tip.end);
+  const Index ball = geometry::ball_at(model_->cut, due.tip.crack, due.tip.end);
   if (ball != kNone) {
     const Vec2 beyond = from + (length + problem::least_reach(*model_, ball)) * ahead;
     if (const Vec2 to = geometry::reach(model_->mesh, from, beyond); to != beyond) return to;

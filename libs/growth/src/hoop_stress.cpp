@@ -19,7 +19,7 @@ HoopDirection largest_hoop_stress(const enrichment::Intensities& k) {
 
 Demand judge(const problem::HoopStress& criterion, const assembly::Equilibrium& body, const TipName& tip) {
   Demand out;
-  const Index ball = problem::ball_at(body.model, tip.crack, tip.end);
+  const Index ball = geometry::ball_at(body.model.cut, tip.crack, tip.end);
   out.intensities = intensities_by_integral(body, ball);
   out.elements = problem::elements_within_reach(body.model, ball);
   if (std::isnan(out.intensities.K_I)) {

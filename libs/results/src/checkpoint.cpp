@@ -86,28 +86,19 @@ void pass(Io& io, growth::Record& g) {
   io(g.measure_beyond);
 }
 
-// One function for both ways, so that they cannot differ.
 template <class Io>
-void pass(Io& io, Checkpoint& c) {
-  pass(io, c.scene);
-  auto& s = c.state;
-  io(s.load);
-  pass(io, s.displacement);
-  pass(io, s.history.contact, [&](contact::Memory& m) {
-    io(m.anchor_face);
-    io(m.anchor_place);
-    io(m.state.slip);
-    io(m.normal);
-    io(m.tangential);
-    io(m.ramp);
-    io(m.slope);
-  });
-  io(s.history.deepest);
-  pass(io, s.history.plastic, [&](constitutive::PlasticState& p) {
-    io(p.deformation);
-    io(p.accumulated);
-  });
-  auto& hats = s.history.hats;
+void pass(Io& io, contact::Memory& m) {
+  io(m.anchor_face);
+  io(m.anchor_place);
+  io(m.state.slip);
+  io(m.normal);
+  io(m.tangential);
+  io(m.ramp);
+  io(m.slope);
+}
+
+template <class Io>
+void pass(Io& io, contact::HatMemory& hats) {
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
   pass(io, hats.mismatch);
@@ -124,6 +115,24 @@ void pass(Io& io, Checkpoint& c) {
     io(t.anchor_begin);
     io(t.anchor_end);
   });
+}
+
+template <class Io>
+void pass(Io& io, assembly::History& history) {
+  pass(io, history.contact, [&](contact::Memory& m) { pass(io, m); });
+  io(history.deepest);
+  pass(io, history.plastic, [&](constitutive::PlasticState& p) {
+    io(p.deformation);
+    io(p.accumulated);
+  });
+  pass(io, history.hats);
+}
+
+template <class Io>
+void pass(Io& io, assembly::State& s) {
+  io(s.load);
+  pass(io, s.displacement);
+  pass(io, s.history);
   io(s.energies);
   pass(io, s.prescribed_force);
   io(s.largest_force);
@@ -131,27 +140,50 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, s.previous_displacement);
   pass(io, s.previous_prescribed_force);
   pass(io, s.progress);
-  io(c.place.number);
-  io(c.place.step);
-  io(c.place.stretch);
-  io(c.place.furthest);
-  io(c.place.longest);
-  io(c.place.plateau);
-  io(c.place.wandered);
-  pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, [&](Index& f) { io(f); }); });
-  pass(io, c.growth);
-  io(c.iterations);
-  io(c.cuts);
-  io(c.worst_residual);
-  io(c.rounded);
-  io(c.jumps);
-  io(c.seconds);
-  std::vector<std::pair<std::string, std::uint64_t>> logs(c.log_bytes.begin(), c.log_bytes.end());
-  pass(io, logs, [&](auto& entry) {
+}
+
+template <class Io>
+void pass(Io& io, solve::StepPlace& place) {
+  io(place.number);
+  io(place.step);
+  io(place.stretch);
+  io(place.furthest);
+  io(place.longest);
+  io(place.plateau);
+  io(place.wandered);
+}
+
+template <class Io>
+void pass(Io& io, Counts& counts) {
+  io(counts.iterations);
+  io(counts.cuts);
+  io(counts.worst_residual);
+  io(counts.rounded);
+  io(counts.jumps);
+}
+
+template <class Io>
+void pass(Io& io, std::map<std::string, std::uint64_t>& bytes) {
+  std::vector<std::pair<std::string, std::uint64_t>> list(bytes.begin(), bytes.end());
+  pass(io, list, [&](auto& entry) {
     pass(io, entry.first);
     io(entry.second);
   });
-  c.log_bytes = {logs.begin(), logs.end()};
+  bytes = {list.begin(), list.end()};
+}
+
+// One function for both ways, so that they cannot differ.
+template <class Io>
+void pass(Io& io, Checkpoint& c) {
+  pass(io, c.scene);
+  pass(io, c.state);
+  pass(io, c.place);
+  pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, io); });
+  pass(io, c.growth);
+  pass(io, c.counts);
+  c.counts.increments = c.place.number;
+  io(c.seconds);
+  pass(io, c.log_bytes);
   pass(io, c.outputs, [&](PvdEntry& entry) {
     io(entry.load);
     io(entry.part);

@@ -1,17 +1,35 @@
 #include "run_folder.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
-namespace cleft::simulation {
+#include "cleft/results/files.hpp"
+#include "cleft/scene/solved_keys.hpp"
 
-RunFolder::RunFolder(const std::string& path) {
+namespace cleft::simulation {
+namespace {
+
+// Nothing where the file is no checkpoint of ours.
+std::optional<results::Checkpoint> readable_checkpoint(const std::string& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  try {
+    return results::checkpoint_from(results::read_bytes(path), path);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::string& path) : path_(path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw std::runtime_error(path + ": the folder cannot be made: " + error.message());
@@ -27,5 +45,33 @@ RunFolder::RunFolder(const std::string& path) {
 }
 
 RunFolder::~RunFolder() { ::close(handle_); }
+
+results::Checkpoint RunFolder::checkpoint_of(const std::string& solved_json) const {
+  const std::string path = checkpoint_file();
+  results::Checkpoint checkpoint = results::checkpoint_from(results::read_bytes(path), path);
+  if (checkpoint.scene == solved_json) return checkpoint;
+  constexpr std::size_t kTold = 8;
+  auto changed = scene::differences(checkpoint.scene, solved_json);
+  if (changed.size() > kTold) {
+    changed[kTold] = fmt::format("{} more", changed.size() - kTold);
+    changed.resize(kTold + 1);
+  }
+  throw std::runtime_error(
+      fmt::format("{}: the checkpoint belongs to another scene, which differs in {}; run with the keys as before, "
+                  "without --resume, or into another folder",
+                  path, fmt::join(changed, ", ")));
+}
+
+std::string RunFolder::remove_results() const {
+  const std::string others = std::filesystem::is_empty(path_) ? "" : path_ + ": other files lie there and stay";
+  const auto earlier = readable_checkpoint(checkpoint_file());
+  if (!earlier) return others;  // nothing is known of the files
+  for (const auto& [name, bytes] : earlier->log_bytes) std::filesystem::remove(file(name));
+  for (const auto& output : earlier->outputs) std::filesystem::remove(file(output.file));
+  std::filesystem::remove(file("run.json"));
+  std::filesystem::remove(checkpoint_file());
+  return path_ + ": replaces the results of an earlier run" +
+         (std::filesystem::exists(file("report")) ? "; its report stays until `cleft report` draws the new one" : "");
+}
 
 }  // namespace cleft::simulation

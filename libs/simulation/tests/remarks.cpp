@@ -1,5 +1,5 @@
 // What a scene is remarked on: each remark provoked, with its figure, and absent from a sound scene.
-#include "cleft/simulation/remarks.hpp"
+#include "cleft/simulation/remarks_before.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/results/files.hpp"
-#include "remarks_at_end.hpp"
+#include "growth_remarks.hpp"
+#include "remarks_after.hpp"
 #include "runs.hpp"
 #include "scene/tests/scenes.hpp"
 
@@ -53,7 +54,7 @@ outputs = [1.0]
 
 std::string before(const std::vector<std::string>& overrides, const std::string& text = kSound) {
   const problem::Specification scene = scene_of(text, overrides);
-  return joined(remarks(scene, problem::build_model(scene)));
+  return joined(remarks_before(scene, problem::build_model(scene)));
 }
 
 TEST(Remarks, FiguresOfAnotherUnitAreToldAsSuch) {
@@ -148,7 +149,7 @@ TEST(Remarks, OfTheScenesThatAreSolvedAreTrue) {
   for (const auto& entry : std::filesystem::directory_iterator(CLEFT_SOURCE_DIR "/verification/scenes")) {
     const std::string name = entry.path().stem();
     const problem::Specification scene = scene::read_scene(entry.path());
-    for (const auto& remark : remarks(scene, problem::build_model(scene))) {
+    for (const auto& remark : remarks_before(scene, problem::build_model(scene))) {
       const auto tells = [&](const char* what) { return remark.find(what) != std::string::npos; };
       EXPECT_TRUE((frictionless.contains(name) && tells("slides without friction")) ||
                   (on_an_edge.contains(name) && tells("lies inside an element; the cut ends on its edge")) ||
@@ -216,7 +217,7 @@ TEST(Oscillation, IsThatOfEveryZoneOfContactByItself) {
 }
 
 // What run() says at its end, which run.json repeats.
-std::string at_end(const std::vector<std::string>& overrides, const std::string& text = kSound) {
+std::string after(const std::vector<std::string>& overrides, const std::string& text = kSound) {
   const Folder folder;
   const auto result = run(scene_of(text, overrides), into(folder / "run"));
   EXPECT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
@@ -226,31 +227,31 @@ std::string at_end(const std::vector<std::string>& overrides, const std::string&
   return joined(result.remarks);
 }
 
-TEST(RemarksAtEnd, ASoundRunHasNone) {
-  EXPECT_EQ(at_end({}), "");
-  EXPECT_EQ(at_end({"crack.main.contact={}"}), "") << "mortar contact";
-  EXPECT_EQ(at_end({"loading.steps=1"}, kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = 0.0\n"), "") << "at rest";
+TEST(RemarksAfter, ASoundRunHasNone) {
+  EXPECT_EQ(after({}), "");
+  EXPECT_EQ(after({"crack.main.contact={}"}), "") << "mortar contact";
+  EXPECT_EQ(after({"loading.steps=1"}, kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = 0.0\n"), "") << "at rest";
 }
 
-TEST(RemarksAtEnd, FacesThatOverlapAreToldWithWhatTheirContactCanDo) {
-  const std::string soft = at_end({"crack.main.contact.normal_penalty=1e7", "boundary.top.uy=-0.02"});
+TEST(RemarksAfter, FacesThatOverlapAreToldWithWhatTheirContactCanDo) {
+  const std::string soft = after({"crack.main.contact.normal_penalty=1e7", "boundary.top.uy=-0.02"});
   EXPECT_NE(soft.find("faces overlap by 0.37 element sizes"), std::string::npos) << soft;
   EXPECT_NE(soft.find("the penalty is too soft"), std::string::npos) << soft;
 }
 
-TEST(RemarksAtEnd, StiffSpringsMakeThePressureOscillate) {
-  const std::string stiff = at_end({"crack.main.contact={normal_penalty=3e12,tangential_penalty=3e12}"});
+TEST(RemarksAfter, StiffSpringsMakeThePressureOscillate) {
+  const std::string stiff = after({"crack.main.contact={normal_penalty=3e12,tangential_penalty=3e12}"});
   EXPECT_NE(stiff.find("crack 'main': the contact pressure oscillates"), std::string::npos) << stiff;
 }
 
-TEST(RemarksAtEnd, EnergyThatIsNotAccountedForIsToldWithItsShare) {
+TEST(RemarksAfter, EnergyThatIsNotAccountedForIsToldWithItsShare) {
   const std::string stretched = kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = 0.04\n";
-  const std::string coarse = at_end({"loading.steps=1"}, stretched);
+  const std::string coarse = after({"loading.steps=1"}, stretched);
   EXPECT_NE(coarse.find(" % of the energy are not accounted for; smaller increments"), std::string::npos) << coarse;
-  EXPECT_EQ(at_end({"loading.steps=10"}, stretched), "");
+  EXPECT_EQ(after({"loading.steps=10"}, stretched), "");
 }
 
-TEST(RemarksAtEnd, FlowLocksTrianglesWhetherItKeepsTheVolumeOrDilates) {
+TEST(RemarksAfter, FlowLocksTrianglesWhetherItKeepsTheVolumeOrDilates) {
   const auto made_of = [](const std::string& material) {
     return replaced(kPlain, "model = \"hencky\"", material) +
            "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -0.0008\n[loading]\nsteps = 20\n";
@@ -258,13 +259,13 @@ TEST(RemarksAtEnd, FlowLocksTrianglesWhetherItKeepsTheVolumeOrDilates) {
   const std::string cone =
       made_of("model = \"drucker-prager\"\ncohesion = 1e7\nfriction = 0.2\ndilatancy = 0.2\nhardening = 1e8");
   const std::string flows = made_of("model = \"j2\"\nyield_stress = 1e7\nhardening = 1e8");
-  EXPECT_NE(at_end({}, cone).find("% of the work went into flow"), std::string::npos);
-  EXPECT_EQ(at_end({"formulation.f_bar=true"}, cone).find("into flow"), std::string::npos);
-  const std::string locked = at_end({}, flows);
+  EXPECT_NE(after({}, cone).find("% of the work went into flow"), std::string::npos);
+  EXPECT_EQ(after({"formulation.f_bar=true"}, cone).find("into flow"), std::string::npos);
+  const std::string locked = after({}, flows);
   EXPECT_NE(locked.find("% of the work went into flow, which keeps or prescribes the volume"), std::string::npos)
       << locked;
-  EXPECT_EQ(at_end({"formulation.f_bar=true"}, flows).find("into flow"), std::string::npos);
-  EXPECT_EQ(at_end({"material.yield_stress=1e9"}, flows), "") << "elastic";
+  EXPECT_EQ(after({"formulation.f_bar=true"}, flows).find("into flow"), std::string::npos);
+  EXPECT_EQ(after({"material.yield_stress=1e9"}, flows), "") << "elastic";
 }
 
 }  // namespace

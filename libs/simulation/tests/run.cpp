@@ -6,7 +6,7 @@
 #include "cleft/problem/build.hpp"
 #include "cleft/results/checkpoint.hpp"
 #include "cleft/results/files.hpp"
-#include "cleft/simulation/remarks.hpp"
+#include "cleft/simulation/remarks_before.hpp"
 #include "runs.hpp"
 #include "scene/tests/scenes.hpp"
 
@@ -313,7 +313,7 @@ TEST(Run, TellsItsRemarksBeforeTheFirstIncrement) {
     heard.push_back(text);
   };
   (void)run(scene_of(kBlock), options);
-  EXPECT_EQ(heard, remarks(scene_of(kBlock), problem::build_model(scene_of(kBlock))));
+  EXPECT_EQ(heard, remarks_before(scene_of(kBlock), problem::build_model(scene_of(kBlock))));
   EXPECT_FALSE(heard.empty());
 }
 

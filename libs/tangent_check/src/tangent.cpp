@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "branch.hpp"
 #include "single_points.hpp"
@@ -15,38 +16,60 @@ namespace {
 // Points are judged at the origin; in the body at large the rounding of positions is larger. Times the least step.
 constexpr double kClearOfRounding = 4.0;
 
-void check_whole(const assembly::Model& model, const assembly::History& history, const VecX& u,
-                 const std::vector<double>& step, double load, double tolerance, assembly::Assembler& assembler,
-                 TangentReport& report) {
-  const assembly::BlockMatrix matrix = assembler.matrix();
-  const std::vector<contact::Pair> base = assembler.pairs();
-  const contact::Multipliers hats = assembler.multipliers();
-  const auto evaluate = [&](const VecX& there) {
+// Where a tangent is checked, and how exactly.
+struct Place {
+  const assembly::Model& model;
+  const assembly::History& history;
+  const VecX& u;
+  double load, tolerance;
+};
+
+// The assembled force near a place.
+class ForceNearby {
+ public:
+  ForceNearby(const Place& at, assembly::Assembler& assembler)
+      : at_(at), assembler_(assembler), pairs_(assembler.pairs()), multipliers_(assembler.multipliers()) {}
+
+  WholeForce operator()(const VecX& there) const {
     WholeForce out;
-    const bool failed = assembler.assemble(there, history).has_value();
-    out.force = failed ? VecX::Constant(u.size(), std::nan("")) : assembler.internal_force();
-    if (!model.surfaces.hats.empty()) add_kinks(model, hats, assembler.multipliers(), out.kinked);
-    for (std::size_t p = 0; p < base.size(); ++p) {
-      if (is_mortar(model, static_cast<Index>(p)) || !kink_between(base[p], assembler.pairs()[p])) continue;
-      for (const auto* pair : {&base[p], &assembler.pairs()[p]}) {
-        const auto unknowns = unknowns_of(model, static_cast<Index>(p), *pair, history.contact[p]);
-        out.kinked.insert(out.kinked.end(), unknowns.all.begin(),
-                          unknowns.all.begin() + static_cast<std::ptrdiff_t>(unknowns.forces));
-      }
-    }
+    const bool failed = assembler_.assemble(there, at_.history).has_value();
+    out.force = failed ? VecX::Constant(there.size(), std::nan("")) : assembler_.internal_force();
+    if (!at_.model.surfaces.hats.empty()) add_kinks(at_.model, multipliers_, assembler_.multipliers(), out.kinked);
+    for (Index p = 0; p < static_cast<Index>(pairs_.size()); ++p)
+      if (!is_mortar(at_.model, p) && kink_between(pairs_[p], assembler_.pairs()[p])) add_unknowns_of(p, out.kinked);
     return out;
-  };
+  }
+
+ private:
+  // Those on which a contact point acts, here or there.
+  void add_unknowns_of(Index point, std::vector<Index>& out) const {
+    for (const auto* pair : {&pairs_[point], &assembler_.pairs()[point]}) {
+      const auto unknowns = unknowns_of(at_.model, point, *pair, at_.history.contact[point]);
+      out.insert(out.end(), unknowns.all.begin(), unknowns.all.begin() + static_cast<std::ptrdiff_t>(unknowns.forces));
+    }
+  }
+
+  const Place& at_;
+  assembly::Assembler& assembler_;
+  const std::vector<contact::Pair> pairs_;
+  const contact::Multipliers multipliers_;
+};
+
+// `assembler`: as it has assembled the place.
+void check_whole(const Place& at, std::vector<double> step, assembly::Assembler& assembler, TangentReport& report) {
+  const assembly::BlockMatrix matrix = assembler.matrix();
   TangentBlock& assembled = report.blocks["assembled"];
   ++assembled.pieces;
-  std::vector<TangentBlock*> of_hats;
-  for (const auto& node : hats.nodes()) {
-    of_hats.push_back(&report.blocks[block_of(node)]);
-    ++of_hats.back()->pieces;
+  std::vector<TangentBlock*> of_multipliers;
+  for (const auto& node : assembler.multipliers().nodes()) {
+    of_multipliers.push_back(&report.blocks[block_of(node)]);
+    ++of_multipliers.back()->pieces;
   }
-  check_matrix(matrix, u, step, evaluate, load, tolerance, [&](Index unknown) -> TangentBlock& {
-    const Index hat = unknown - model.unknowns.displacements();
-    return hat < 0 ? assembled : *of_hats[hat];
-  });
+  const auto block_of_row = [&](Index unknown) -> TangentBlock& {
+    const Index multiplier = unknown - at.model.unknowns.displacements();
+    return multiplier < 0 ? assembled : *of_multipliers[multiplier];
+  };
+  check_matrix({matrix, at.u, std::move(step), ForceNearby(at, assembler), block_of_row, at.load, at.tolerance});
 }
 
 }  // namespace
@@ -83,7 +106,7 @@ std::optional<assembly::Failure> check_tangent(const assembly::Model& model, con
   if (model.has_contact()) SinglePoints(model, history, u, lengths).check(load, tolerance, report, step);
   const double least = kClearOfRounding * least_step(lengths.reach, tolerance);
   for (double& h : step) h = std::max(h, least);
-  check_whole(model, history, u, step, load, tolerance, assembler, report);
+  check_whole({model, history, u, load, tolerance}, std::move(step), assembler, report);
   ++report.states;
   return std::nullopt;
 }

@@ -73,27 +73,35 @@ TornBody::Matrix TornBody::tangent(const Piece& piece) const {
   return out;
 }
 
+std::optional<TornBody::Forces> TornBody::forces(int column, double factor) {
+  Forces out;
+  for (std::size_t k = 0; k < kOffsets.size(); ++k) {
+    VecX there = u_;
+    for (const Piece& piece : pieces_)
+      if (column < piece.components()) there[2 * piece.first + column] += kOffsets[k] * factor * piece.step;
+    if (assembler_.assemble(there, history_)) return std::nullopt;
+    out[k] = assembler_.internal_force();
+  }
+  return out;
+}
+
 bool TornBody::difference(double factor, std::vector<Quotients>& out) {
   const int columns = pieces_.empty() ? 0 : std::ranges::max(pieces_, {}, &Piece::components).components();
   for (int column = 0; column < columns; ++column) {
-    std::array<VecX, kOffsets.size()> force;
-    for (std::size_t k = 0; k < kOffsets.size(); ++k) {
-      VecX there = u_;
-      for (const Piece& piece : pieces_)
-        if (column < piece.components()) there[2 * piece.first + column] += kOffsets[k] * factor * piece.step;
-      if (assembler_.assemble(there, history_)) return false;
-      force[k] = assembler_.internal_force();
-    }
-    for (std::size_t p = 0; p < pieces_.size(); ++p) {
-      if (column >= pieces_[p].components()) continue;
-      for (int row = 0; row < pieces_[p].components(); ++row) {
-        const Index at = 2 * pieces_[p].first + row;
-        const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * pieces_[p].step);
-        if (auto& best = out[p][row][column]; q.uncertainty < best.uncertainty) best = q;
-      }
-    }
+    const auto force = forces(column, factor);
+    if (!force) return false;
+    for (std::size_t p = 0; p < pieces_.size(); ++p)
+      if (column < pieces_[p].components()) improve(pieces_[p], column, factor, *force, out[p]);
   }
   return true;
+}
+
+void TornBody::improve(const Piece& piece, int column, double factor, const Forces& force, Quotients& out) {
+  for (int row = 0; row < piece.components(); ++row) {
+    const Index at = 2 * piece.first + row;
+    const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * piece.step);
+    if (auto& best = out[row][column]; q.uncertainty < best.uncertainty) best = q;
+  }
 }
 
 bool TornBody::is_certain(const Matrix& exact, const Quotients& differences, int components, double tolerance) {

@@ -35,6 +35,12 @@ class TornBody {
   static assembly::Model torn(const assembly::Model& model, const std::vector<Piece>& pieces);
   std::string name_of(const Piece& piece) const;
 
+  using Forces = std::array<VecX, kOffsets.size()>;  // of the torn body, at the offsets
+
+  // With one component of every piece moved, by steps that are `factor` of the first ones; none where a cell inverts.
+  std::optional<Forces> forces(int column, double factor);
+  // Takes the quotients of a column that are less uncertain than those so far.
+  static void improve(const Piece& piece, int column, double factor, const Forces& force, Quotients& out);
   // Improves `out` by steps that are `factor` of the first ones; false where a cell inverts within them.
   bool difference(double factor, std::vector<Quotients>& out);
   Matrix tangent(const Piece& piece) const;

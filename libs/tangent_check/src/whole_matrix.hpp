@@ -19,9 +19,18 @@ using Evaluate = std::function<WholeForce(const VecX& u)>;
 /// The block that takes the entries of a row of unknowns.
 using BlockOfRow = std::function<TangentBlock&(Index unknown)>;
 
-/// Compares all columns with steps given per unknown, many columns at a time. A force that changes although none of the
-/// moved columns has an entry in its row is an entry that the matrix lacks (with column kNone).
-void check_matrix(const assembly::BlockMatrix& matrix, const VecX& u, const std::vector<double>& step,
-                  const Evaluate& evaluate, double load, double tolerance, const BlockOfRow& block_of);
+/// A matrix, and the force whose derivative it should be.
+struct MatrixCheck {
+  const assembly::BlockMatrix& matrix;
+  const VecX& u;             ///< where, metres, all components
+  std::vector<double> step;  ///< of the differences, per unknown, metres
+  Evaluate evaluate;
+  BlockOfRow block_of;
+  double load = 0.0, tolerance = 0.0;
+};
+
+/// Compares all columns, many at a time. A force that changes although none of the moved columns has an entry in its
+/// row is an entry that the matrix lacks (with column kNone).
+void check_matrix(const MatrixCheck& check);
 
 }  // namespace cleft::tangent_check

@@ -37,12 +37,15 @@ struct Chain {
   TangentBlock check(std::vector<Index> kinked = {}) const {
     TangentBlock out;
     out.pieces = 1;
-    check_matrix(
-        matrix, u, {0x1p-17, 0x1p-17, 0x1p-18},
-        [&](const VecX& at) {
-          return WholeForce{force(at), kinked};
-        },
-        0.0, 1e-6, [&](Index) -> TangentBlock& { return out; });
+    check_matrix({.matrix = matrix,
+                  .u = u,
+                  .step = {0x1p-17, 0x1p-17, 0x1p-18},
+                  .evaluate =
+                      [&](const VecX& at) {
+                        return WholeForce{force(at), kinked};
+                      },
+                  .block_of = [&](Index) -> TangentBlock& { return out; },
+                  .tolerance = 1e-6});
     return out;
   }
 };

@@ -1,6 +1,7 @@
 // consumer SCENE.toml: solves a scene and prints pressure and slip along its cracks at full load.
+#include <cleft/growth/evolution.hpp>
 #include <cleft/problem/build.hpp>
-#include <cleft/results/profile.hpp>
+#include <cleft/results/crack_profile.hpp>
 #include <cleft/scene/read.hpp>
 #include <cstdio>
 
@@ -20,7 +21,7 @@ int main(int argc, char** argv) try {
   }
   bool pressed = false;
   std::printf("crack,s,pressure,slip\n");
-  for (const results::ProfilePoint& point : results::profile(body.stepper())) {
+  for (const results::ProfilePoint& point : results::crack_profile(body.stepper())) {
     std::printf("%s,%g,%g,%g\n", scene.cracks[point.crack].name.c_str(), point.s, point.pressure, point.slip);
     pressed = pressed || point.pressure > 0.0;
   }

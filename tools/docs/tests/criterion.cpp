@@ -27,7 +27,7 @@ struct EnergyRelease {
 
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const {
     Demand out;
-    out.intensities = growth::intensities_by_integral(body, problem::ball_at(body.model, tip.crack, tip.end));
+    out.intensities = growth::intensities_by_integral(body, geometry::ball_at(body.model.cut, tip.crack, tip.end));
     const auto& [K_I, K_II] = out.intensities;
     const auto& [lambda, mu] = body.model.constants(0);  // of a body of one material
     const double poisson = 0.5 * lambda / (lambda + mu);

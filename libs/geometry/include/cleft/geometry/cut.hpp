@@ -63,6 +63,9 @@ struct CutMesh {
   int snapped = 0;                    ///< crossings within `snap` edge lengths of a node, moved onto it
 };
 
+/// The number in CutMesh::tips of the ball at an end (0 first, 1 last) of a crack; kNone where there is none.
+Index ball_at(const CutMesh& cut, Index crack, int end);
+
 /// Crossings nearer to a node than this fraction of the edge are moved onto the node.
 inline constexpr double kSnap = 1e-6;
 

@@ -2,16 +2,10 @@
 /// How far around a tip stress intensity factors are taken (geometry::TipBall::reach).
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cleft/assembly/model.hpp"
 #include "cleft/problem/specification.hpp"
 
 namespace cleft::problem {
-
-/// The number in CutMesh::tips of the ball at an end (0 first, 1 last) of a crack; kNone where there is none.
-Index ball_at(const assembly::Model& model, Index crack, int end);
 
 /// How many element sizes, of the tip's own triangle (the side of a square of two such), the reach of a tip is.
 double elements_within_reach(const assembly::Model& model, Index tip);
@@ -22,6 +16,9 @@ inline constexpr double kLeastReach = 0.5, kSoundReach = 3.0;
 
 /// kLeastReach in metres.
 double least_reach(const assembly::Model& model, Index tip);
+
+/// What ends the reach of a tip, in words: the ball, a bend of the crack, or the boundary.
+const char* end_of_reach(const geometry::TipBall& ball);
 
 /// Whether the disc of a radius (metres) around the first (0) or last (1) tip of a crack is larger than every element
 /// that it meets, so that a mean over it is not just what one element says.
@@ -34,9 +31,5 @@ bool asks_for_intensities(const CrackSpec& crack, int end);
 /// an element size within its reach, advances shorter than that (after which the crack bends), or a boundary condition
 /// on a node within it.
 void refuse_narrow_tips(const Specification& scene, const assembly::Model& model);
-
-/// One line for each tip whose intensities may be off by more than 1 % because its ball, or at finite strain its reach,
-/// is less than 3 element sizes; with `all` also where the reach is less than the ball.
-std::vector<std::string> remarks_on_reach(const Specification& scene, const assembly::Model& model, bool all);
 
 }  // namespace cleft::problem

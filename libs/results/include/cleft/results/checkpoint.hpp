@@ -5,22 +5,19 @@
 #include <map>
 
 #include "cleft/growth/evolution.hpp"
-#include "cleft/results/incidents.hpp"
+#include "cleft/results/counts.hpp"
 #include "cleft/results/vtu.hpp"
 #include "cleft/solve/stepping.hpp"
 
 namespace cleft::results {
 
 struct Checkpoint {
-  std::string scene;  ///< solved_json of the scene
+  std::string scene;  ///< what was solved, as the text that it was given; a run goes on with the same only
   assembly::State state;
   solve::StepPlace place;
   assembly::ContactRoom room;
   growth::Record growth;
-  long iterations = 0, cuts = 0;
-  double worst_residual = 0.0;
-  Rounded rounded;
-  Jumps jumps;
+  Counts counts;  ///< without the orders
   double seconds = 0.0;
   std::map<std::string, std::uint64_t> log_bytes;  ///< length of each growing file
   std::vector<PvdEntry> outputs;

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "cleft/results/files.hpp"
-#include "cleft/results/incidents.hpp"
 
 namespace cleft::results {
+
+/// Where the path turns, or where the determinant changes its sign and another one may branch off.
+struct CriticalPoint {
+  enum class Kind { Maximum, Minimum, Bifurcation } kind;
+  double load = 0.0;    ///< of the increment nearest to a limit point, or of the first beyond a bifurcation
+  double before = 0.0;  ///< of the one before that
+  long step = 0;        ///< its row of history.csv
+};
 
 /// Where the load turns, and where the determinant of the tangent matrix changes its sign though the load goes on; at
 /// rest it is positive. A change of sign from one row before a turn to two rows after it belongs to the turn, and two

@@ -3,23 +3,23 @@
 #pragma once
 
 #include <map>
-#include <optional>
+#include <memory>
 
-#include "cleft/problem/specification.hpp"
 #include "cleft/results/checkpoint.hpp"
+#include "cleft/results/contents.hpp"
+#include "cleft/results/crack_profile.hpp"
 #include "cleft/results/files.hpp"
-#include "cleft/results/profile.hpp"
 
 namespace cleft::results {
-
-/// The columns of a scene's history.csv.
-std::vector<std::string> history_columns(const problem::Specification& scene);
 
 class Results {
  public:
   /// Starts the files of a fresh run, or goes on with those that a checkpoint speaks of.
-  Results(const problem::Specification& scene, std::string directory, const Checkpoint* resumed);
+  Results(Contents contents, std::string directory, const Checkpoint* resumed);
+  ~Results();
 
+  /// Adds what a step shows to history.csv, newton.csv and growth.csv, and its fields to files of their own and to
+  /// those of the cracks. Both throw std::runtime_error with path and reason.
   void add_step(const growth::Step& step, const solve::LoadStepper& stepper);
   void add_fields(const growth::Step& step, const solve::LoadStepper& stepper);
 
@@ -28,10 +28,14 @@ class Results {
   std::string path(const std::string& file) const { return directory_ + "/" + file; }
 
  private:
+  struct Tables;
+  void add_iterations(const growth::Step& step);
   void add_advances(const growth::Step& step, const assembly::Model& model);
+  void add_profiles(const growth::Step& step, double load, const std::vector<ProfilePoint>& points);
   void open(const std::string& file, const std::string& header, const Checkpoint* resumed);
 
-  const problem::Specification& scene_;
+  Contents contents_;
+  std::unique_ptr<const Tables> tables_;
   std::string directory_;
   std::map<std::string, LineLog> logs_;
   std::vector<PvdEntry> outputs_;

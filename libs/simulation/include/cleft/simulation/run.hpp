@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "cleft/problem/specification.hpp"
-#include "cleft/results/incidents.hpp"
+#include "cleft/results/counts.hpp"
+#include "cleft/results/critical_points.hpp"
 #include "cleft/solve/stepping.hpp"
 
 namespace cleft::simulation {
@@ -35,23 +36,19 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;  ///< set to end the run after the increment under way
 };
 
-struct RunResult {
+struct RunResult : results::Counts {
   enum class End { Done, Failed, Stopped, NotWritten } end = End::Done;
   assembly::Failure failure;  ///< with End::Failed
   std::string unwritten;      ///< with End::NotWritten: path and reason
   double load = 0.0;
-  long increments = 0, iterations = 0, cuts = 0;
-  long advances = 0;  ///< of all tips
-  double worst_residual = 0.0;
-  results::Rounded rounded;
-  results::Jumps jumps;
+  long advances = 0;                             ///< of all tips
   std::vector<results::CriticalPoint> critical;  ///< in order, of runs with loading.control = "path"
   double newton_order = 0.0;                     ///< median over the increments that allow to tell; 0: none
   assembly::Energies energies;
   double overlap = 0.0;  ///< largest penetration so far over the size of the cut elements
   double seconds = 0.0;
   std::vector<std::pair<std::string, double>> phases;  ///< of the seconds, those of earlier parts not included
-  double yardstick = 0.0;                              ///< all factorisations and solves, seconds
+  double solver_seconds = 0.0;                         ///< all factorisations and solves
   double bulk_microseconds = 0.0;                      ///< assembly with tangent, per cell and iteration
   double contact_microseconds = 0.0;                   ///< search, law and tangent, per contact point and iteration
   double peak_megabytes = 0.0;

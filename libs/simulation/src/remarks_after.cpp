@@ -1,13 +1,15 @@
-#include "remarks_at_end.hpp"
+#include "remarks_after.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 
 #include "cleft/problem/build.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/crack_profile.hpp"
+#include "growth_remarks.hpp"
+#include "reach_remarks.hpp"
 
 namespace cleft::simulation {
 namespace {
@@ -17,10 +19,9 @@ using Lines = std::vector<std::string>;
 constexpr double kDeep = 0.1;         // elements
 constexpr double kUnbalanced = 0.01;  // of the largest energy
 constexpr double kOscillates =
-    0.15;                         // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
-constexpr double kInner = 0.8;    // of the contact, away from its ends
-constexpr double kFlows = 0.05;   // of the work
-constexpr double kZigzag = 30.0;  // degrees
+    0.15;                        // of the maximum an element; on the block E/h has 0.002 to 0.12, 10 E/h 0.09 to 0.43
+constexpr double kInner = 0.8;   // of the contact, away from its ends
+constexpr double kFlows = 0.05;  // of the work
 constexpr double kAboveRounding = 10.0;  // times it: forces that are less may be nothing else
 
 void about_overlap(const solve::LoadStepper& stepper, Lines& out) {
@@ -36,7 +37,7 @@ void about_overlap(const solve::LoadStepper& stepper, Lines& out) {
 }
 
 void about_pressure(const problem::Specification& scene, const solve::LoadStepper& stepper, Lines& out) {
-  const auto points = results::profile(stepper);
+  const auto points = results::crack_profile(stepper);
   const auto sizes = problem::cut_sizes(stepper.model());
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     if (scene.cracks[k].mortar.on) continue;
@@ -80,28 +81,20 @@ void about_flow(const problem::Specification& scene, const assembly::Energies& e
                   100.0 * share));
 }
 
-// The largest angle (degrees) by which a path turns and turns back in the next point; of its last `pieces` pieces.
-double to_and_fro(const std::vector<Vec2>& path, std::size_t pieces) {
-  double largest = 0.0, last = 0.0;
-  const std::size_t first = path.size() > pieces + 1 ? path.size() - pieces - 1 : 1;
-  for (std::size_t k = first; k + 1 < path.size(); ++k) {
-    const Vec2 before = path[k] - path[k - 1], after = path[k + 1] - path[k];
-    const double turn = std::atan2(cross(before, after), before.dot(after)) * 180.0 / std::numbers::pi;
-    if (turn * last < 0.0) largest = std::max(largest, std::min(std::fabs(turn), std::fabs(last)));
-    last = turn;
-  }
-  return largest;
-}
-
-void about_growing_tip(const std::string& tip, const growth::Record::Tip& record, std::vector<Vec2> path, Lines& out) {
-  if (record.stop == growth::Stop::Hindered)
-    out.push_back(fmt::format("{}: hindered after {} advances; growth.csv says where", tip, record.advances));
-  const double turn = to_and_fro(path, static_cast<std::size_t>(record.advances));
-  if (turn > kZigzag)
+void about_rounding(const results::Rounded& rounded, const solve::LoadStepper& stepper, Lines& out) {
+  if (rounded.increments > 0)
     out.push_back(fmt::format(
-        "{}: its path turns to and fro by {:.0f} degrees, as advances that are too long do; shorter ones, or "
-        "growth.correct_direction = true",
-        tip, turn));
+        "rounding ended {} of the increments, at worst at load {:.6g} with a residual of {:.1e} of the forces, which "
+        "are known no better than that; a softer penalty or material, or displacements that move the body less as a "
+        "whole",
+        rounded.increments, rounded.load, rounded.worst));
+  const double force = stepper.state().largest_force,
+               rounding = solve::rounding_floor(stepper.model(), stepper.state().displacement).total();
+  if (force > 0.0 && force <= kAboveRounding * rounding)
+    out.push_back(
+        fmt::format("no force of this run, up to {:.1e} N/m, is clearly above its rounding, {:.1e} N/m: the body bears "
+                    "nothing, or too little",
+                    force, rounding));
 }
 
 }  // namespace
@@ -142,54 +135,20 @@ double worst_zone(std::vector<Pressed> along, double size) {
   return worst;
 }
 
-std::vector<std::string> remarks_at_end(const problem::Specification& scene, const solve::LoadStepper& stepper,
-                                        const results::Jumps& jumps) {
+std::vector<std::string> remarks_after(const problem::Specification& scene, const growth::Evolution& evolution,
+                                       const results::Counts& counts) {
   Lines out;
-  if (!(stepper.state().load > 0.0)) return out;
-  about_overlap(stepper, out);
-  about_pressure(scene, stepper, out);
-  about_energy(scene, stepper.state().energies, jumps, out);
-  about_flow(scene, stepper.state().energies, out);
-  return out;
-}
-
-std::vector<std::string> remarks_on_rounding(const results::Rounded& rounded, const solve::LoadStepper& stepper) {
-  Lines out;
-  if (rounded.increments > 0)
-    out.push_back(fmt::format(
-        "rounding ended {} of the increments, at worst at load {:.6g} with a residual of {:.1e} of the forces, which "
-        "are "
-        "known no better than that; a softer penalty or material, or displacements that move the body less as a whole",
-        rounded.increments, rounded.load, rounded.worst));
-  const double force = stepper.state().largest_force,
-               rounding = solve::rounding_floor(stepper.model(), stepper.state().displacement).total();
-  if (force > 0.0 && force <= kAboveRounding * rounding)
-    out.push_back(
-        fmt::format("no force of this run, up to {:.1e} N/m, is clearly above its rounding, {:.1e} N/m: the body bears "
-                    "nothing, or too little",
-                    force, rounding));
-  return out;
-}
-
-std::vector<std::string> remarks_on_growth(const problem::Specification& scene, const growth::Record& record) {
-  Lines out;
-  bool may = false, did = false;
-  for (std::size_t k = 0; k < scene.cracks.size() && k < record.tips.size(); ++k) {
-    if (!scene.cracks[k].growth) continue;
-    may = true;
-    std::vector<Vec2> path = record.points[k];
-    for (const std::size_t end : {1U, 0U}) {
-      const auto& tip = record.tips[k][end];
-      did = did || tip.advances > 0;
-      about_growing_tip(fmt::format("crack '{}', {}", scene.cracks[k].name, end == 0 ? "start" : "end"), tip, path,
-                        out);
-      std::ranges::reverse(path);
-    }
+  const auto& stepper = evolution.stepper();
+  if (stepper.state().load > 0.0) {
+    about_overlap(stepper, out);
+    about_pressure(scene, stepper, out);
+    about_energy(scene, stepper.state().energies, counts.jumps, out);
+    about_flow(scene, stepper.state().energies, out);
   }
-  if (may && !did)
-    out.push_back(
-        fmt::format("no tip advanced; the largest demand at the end is {:.3g}, and 1 is what the criteria ask for",
-                    record.measure));
+  about_rounding(counts.rounded, stepper, out);
+  std::ranges::move(remarks_on_growth(scene, evolution.record()), std::back_inserter(out));
+  if (advances_of(evolution.record()) > 0)
+    std::ranges::move(remarks_on_small_reach(scene, evolution.model()), std::back_inserter(out));
   return out;
 }
 

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "cleft/contact/jump.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/field_output.hpp"
 
 namespace cleft::results {
 namespace {
@@ -52,7 +52,7 @@ std::vector<Apart> apart(const assembly::Model& m, const assembly::State& state)
 
 }  // namespace
 
-VtuGrid face_grid(const assembly::Model& m, const assembly::State& state, const std::vector<ProfilePoint>& points) {
+VtuGrid face_output(const assembly::Model& m, const assembly::State& state, const std::vector<ProfilePoint>& points) {
   VtuGrid grid;
   grid.cell_size = 2;
   const std::size_t faces = m.surfaces.faces.size();

@@ -1,4 +1,4 @@
-#include "cleft/convergence/profile.hpp"
+#include "cleft/convergence/curve_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,11 @@ struct Point {
 };
 
 // The points that count, in ascending order; of several at one place the mean.
-std::vector<Point> ordered(const Profile& profile) {
+std::vector<Point> ordered(const Curve& curve) {
   std::vector<Point> points;
-  for (std::size_t k = 0; k < profile.place.size(); ++k)
-    if (std::isfinite(profile.place[k]) && std::isfinite(profile.value[k]))
-      points.push_back({profile.place[k], profile.value[k]});
+  for (std::size_t k = 0; k < curve.place.size(); ++k)
+    if (std::isfinite(curve.place[k]) && std::isfinite(curve.value[k]))
+      points.push_back({curve.place[k], curve.value[k]});
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.place < b.place; });
   std::vector<Point> out;
   for (std::size_t k = 0; k < points.size();) {
@@ -41,7 +41,7 @@ double at(const std::vector<Point>& points, double x) {
 
 }  // namespace
 
-std::optional<std::array<double, 2>> common_range(const Profile& a, const Profile& b) {
+std::optional<std::array<double, 2>> common_range(const Curve& a, const Curve& b) {
   const auto p = ordered(a), q = ordered(b);
   if (p.empty() || q.empty()) return std::nullopt;
   const double low = std::max(p.front().place, q.front().place), high = std::min(p.back().place, q.back().place);
@@ -49,16 +49,16 @@ std::optional<std::array<double, 2>> common_range(const Profile& a, const Profil
   return std::array{low, high};
 }
 
-ProfileDistance distance(const Profile& a, const Profile& b, const std::array<double, 2>& range) {
+CurveDistance distance(const Curve& a, const Curve& b, const std::array<double, 2>& range) {
   const auto p = ordered(a), q = ordered(b);
-  if (p.empty() || q.empty()) throw std::invalid_argument("a profile has no points");
-  if (!(range[0] < range[1])) throw std::invalid_argument("the interval of a profile's distance is empty");
+  if (p.empty() || q.empty()) throw std::invalid_argument("a curve has no points");
+  if (!(range[0] < range[1])) throw std::invalid_argument("the interval of a distance is empty");
   std::vector<double> cuts{range[0], range[1]};
   for (const auto* points : {&p, &q})
     for (const auto& point : *points)
       if (point.place > range[0] && point.place < range[1]) cuts.push_back(point.place);
   std::sort(cuts.begin(), cuts.end());
-  ProfileDistance out;
+  CurveDistance out;
   double norm = 0.0, most = 0.0;
   for (std::size_t k = 0; k < cuts.size(); ++k) {
     const double right = at(q, cuts[k]), d_right = at(p, cuts[k]) - right;

@@ -1,11 +1,9 @@
-#include "cleft/results/profile.hpp"
+#include "cleft/results/crack_profile.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "cleft/assembly/patches.hpp"
-#include "cleft/assembly/stress.hpp"
 #include "cleft/contact/jump.hpp"
 
 namespace cleft::results {
@@ -108,7 +106,7 @@ Exerted exerted_by(const solve::LoadStepper& stepper, const contact::FacePositio
 
 }  // namespace
 
-std::vector<ProfilePoint> profile(const solve::LoadStepper& stepper) {
+std::vector<ProfilePoint> crack_profile(const solve::LoadStepper& stepper) {
   const auto& model = stepper.model();
   const auto& surfaces = model.surfaces;
   const auto at = current_places(model, stepper.state().displacement);
@@ -150,20 +148,6 @@ std::vector<ProfilePoint> profile(const solve::LoadStepper& stepper) {
     }
     out.push_back(q);
   }
-  return out;
-}
-
-PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State& state) {
-  PlasticExtremes out;
-  const auto& plastic = state.history.plastic;
-  if (plastic.empty()) return out;
-  assembly::for_each_material_point(m, [&](std::size_t p, const auto&, double) {
-    if (plastic[p].accumulated == 0.0) return;
-    out.largest_strain = std::fmax(out.largest_strain, plastic[p].accumulated);
-    const Mat2 F = assembly::material_deformation(m, static_cast<Index>(p), state.displacement);
-    out.least_localisation = std::fmin(
-        out.least_localisation, assembly::localisation_of(m.material(static_cast<Index>(p)), F, plastic[p]).value);
-  });
   return out;
 }
 

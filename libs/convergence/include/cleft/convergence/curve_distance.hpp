@@ -9,14 +9,14 @@
 namespace cleft::convergence {
 
 /// Values over an abscissa, any order. Points whose value is not finite do not count.
-struct Profile {
+struct Curve {
   std::vector<double> place, value;
 };
 
 /// The interval on which both are given.
-std::optional<std::array<double, 2>> common_range(const Profile& a, const Profile& b);
+std::optional<std::array<double, 2>> common_range(const Curve& a, const Curve& b);
 
-struct ProfileDistance {
+struct CurveDistance {
   double l2 = 0.0;  ///< sqrt of the integral of (a - b)^2, in the value's unit times the root of the abscissa's
   double l2_relative = 0.0;       ///< over the norm of b
   double largest = 0.0;           ///< largest |a - b|
@@ -24,7 +24,7 @@ struct ProfileDistance {
 };
 
 /// Distance on an interval, both taken piecewise linear between their points and constant beyond their ends. The
-/// integrals are exact. Throws std::invalid_argument where a profile has no point or the interval is empty.
-ProfileDistance distance(const Profile& a, const Profile& b, const std::array<double, 2>& range);
+/// integrals are exact. Throws std::invalid_argument where a curve has no point or the interval is empty.
+CurveDistance distance(const Curve& a, const Curve& b, const std::array<double, 2>& range);
 
 }  // namespace cleft::convergence

@@ -2,7 +2,7 @@
 
 #include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/stress.hpp"
-#include "cleft/results/profile.hpp"
+#include "cleft/results/field_output.hpp"
 
 namespace cleft::results {
 namespace {
@@ -23,9 +23,9 @@ Shown shown_at(const assembly::Model& m, const assembly::State& state, std::size
           plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(material, F, remembered)};
 }
 
-class BulkGrid {
+class BulkOutput {
  public:
-  BulkGrid(const assembly::Model& m, const assembly::State& state) : m_(m), state_(state) {
+  BulkOutput(const assembly::Model& m, const assembly::State& state) : m_(m), state_(state) {
     grid_.points = m.mesh.nodes;
     for (std::size_t i = 0; i < m.mesh.nodes.size(); ++i)
       push(state.displacement.segment<2>(2 * static_cast<Index>(i)));
@@ -116,6 +116,20 @@ class BulkGrid {
 
 }  // namespace
 
-VtuGrid bulk_grid(const assembly::Model& m, const assembly::State& state) { return BulkGrid(m, state).take(); }
+VtuGrid bulk_output(const assembly::Model& m, const assembly::State& state) { return BulkOutput(m, state).take(); }
+
+PlasticExtremes plastic_extremes(const assembly::Model& m, const assembly::State& state) {
+  PlasticExtremes out;
+  const auto& plastic = state.history.plastic;
+  if (plastic.empty()) return out;
+  assembly::for_each_material_point(m, [&](std::size_t p, const auto&, double) {
+    if (plastic[p].accumulated == 0.0) return;
+    out.largest_strain = std::fmax(out.largest_strain, plastic[p].accumulated);
+    const Mat2 F = assembly::material_deformation(m, static_cast<Index>(p), state.displacement);
+    out.least_localisation = std::fmin(
+        out.least_localisation, assembly::localisation_of(m.material(static_cast<Index>(p)), F, plastic[p]).value);
+  });
+  return out;
+}
 
 }  // namespace cleft::results

@@ -1,6 +1,4 @@
 // What crack files tell of two bodies that a crack parts, moved as one likes.
-#include "cleft/results/profile.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <numbers>
 
 #include "cleft/problem/build.hpp"
+#include "cleft/results/field_output.hpp"
 #include "scene/tests/scenes.hpp"
 
 namespace cleft::simulation {
@@ -64,7 +63,7 @@ class TwoBodies {
     }
   }
 
-  std::vector<results::ProfilePoint> points() const { return results::profile(*stepper); }
+  std::vector<results::ProfilePoint> points() const { return results::crack_profile(*stepper); }
 
   assembly::Model model;
   std::unique_ptr<solve::LoadStepper> stepper;
@@ -96,7 +95,7 @@ void expect_all(const TwoBodies& bodies, const Expected& e, double tolerance) {
     EXPECT_NEAR(q.jump_normal, e.normal, tolerance);
     EXPECT_NEAR(q.jump_tangential, e.tangential, tolerance);
   }
-  const results::VtuGrid grid = results::face_grid(bodies.model, bodies.stepper->state(), points);
+  const results::VtuGrid grid = results::face_output(bodies.model, bodies.stepper->state(), points);
   const std::size_t faces = bodies.model.surfaces.faces.size();
   for (const auto& [name, value] : {std::pair{"opening", e.opening}, {"jump_n", e.normal}, {"jump_t", e.tangential}}) {
     const auto array = std::ranges::find(grid.cell_data, name, &results::VtuArray::name);
