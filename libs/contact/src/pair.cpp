@@ -62,7 +62,8 @@ struct Load {
 
 Load load_of(const PairPoints& p, const PairConstants& c, const Frame& f, const PairState& s, const Variations& d) {
   const double tn = s.traction.normal, tt = s.traction.tangential;
-  const Stiffness stiffness = response(c, s).stiffness;
+  const ContactResponse answer = response(c, s);
+  const Stiffness& stiffness = answer.stiffness;
   const Row d_tn = stiffness.normal * d.normal_gap;
   Row d_tt = stiffness.by_normal * d_tn;
   if (stiffness.tangential != 0.0)

@@ -45,7 +45,8 @@ PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, 
   const Point& point = surfaces.points[p];
   const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;
-  const Stiffness k0 = response(surfaces, p, pair, memory).stiffness;
+  const ContactResponse answer = response(surfaces, p, pair, memory);
+  const Stiffness& k0 = answer.stiffness;
   Mat2 stiffness = k0.normal * f.n * f.n.transpose();  // d t_0 / d jump
   if (k0.by_normal != 0.0) stiffness += k0.by_normal * k0.normal * f.t * f.n.transpose();
   if (k0.tangential != 0.0) stiffness += k0.tangential * f.t * f.t.transpose();
