@@ -19,7 +19,7 @@ set(CLEFT_ALLOWED_simulation support geometry enrichment constitutive contact as
 set(CLEFT_ALLOWED_tangent_check support geometry enrichment constitutive contact assembly solve problem growth results)
 set(CLEFT_ALLOWED_plot support results)
 set(CLEFT_ALLOWED_convergence support problem results scene simulation plot)
-set(CLEFT_ALLOWED_report support scene results plot)
+set(CLEFT_ALLOWED_report support problem scene results plot)
 
 # Stops the configuration unless library `name` may depend directly on each library that follows.
 function(cleft_check_arrows name)

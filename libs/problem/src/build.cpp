@@ -24,11 +24,10 @@ geometry::CutMesh cut_located(const Specification& scene, const geometry::Mesh& 
                               const std::vector<geometry::Crack>& cracks) {
   try {
     return geometry::cut(mesh, cracks);
-  } catch (const InputError& error) {
-    for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-      if (scene.cracks[k].name == error.key())
-        throw InputError(scene.cracks[k].at, fmt::format("crack[{}] '{}'", k, error.key()), error.problem());
-    throw;
+  } catch (const geometry::CrackError& error) {
+    const auto crack = std::ranges::find(scene.cracks, error.crack(), &CrackSpec::name);
+    if (crack == scene.cracks.end()) throw;
+    throw InputError(crack->at, crack->at.part("crack", crack->name), error.problem());
   }
 }
 

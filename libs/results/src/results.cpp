@@ -190,9 +190,9 @@ void Results::add_fields(const growth::Step& step, const solve::LoadStepper& ste
   std::map<Index, std::string> rows;
   for (const auto& q : points)
     fmt::format_to(std::back_inserter(rows[q.crack]), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                   load, q.side == geometry::Side::Left ? "left" : "right", q.s, q.reference.x(), q.reference.y(),
-                   q.current.x(), q.current.y(), q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status),
-                   q.partner_s, q.partner_pressure, step.number, q.opening, q.jump_normal, q.jump_tangential);
+                   load, cleft::name_of(q.side), q.s, q.reference.x(), q.reference.y(), q.current.x(), q.current.y(),
+                   q.gap, q.normal, q.tangential, q.pressure, q.slip, name_of(q.status), q.partner_s,
+                   q.partner_pressure, step.number, q.opening, q.jump_normal, q.jump_tangential);
   for (const auto& [crack, text] : rows) logs_.at(crack_file(scene_.cracks[crack].name)).append(text);
 
   const int number =

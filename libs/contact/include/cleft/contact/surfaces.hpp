@@ -8,11 +8,15 @@
 #include "cleft/contact/hats.hpp"
 #include "cleft/contact/springs.hpp"
 #include "cleft/enrichment/stencil.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::contact {
 
 /// Which side of a crack carries the contact quadrature.
 enum class NegativeSide : std::uint8_t { Right, Left, Both };
+constexpr std::array<Named<NegativeSide>, 3> names_of(NegativeSide) {
+  return {{{NegativeSide::Left, "left"}, {NegativeSide::Right, "right"}, {NegativeSide::Both, "both"}}};
+}
 
 /// A quadrature point of a negative face.
 struct Point {
