@@ -71,7 +71,7 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
     const auto index = static_cast<Index>(p);
     const auto force =
         model_.surfaces.undeformed
-            ? contact::force_undeformed(model_.surfaces, index, pair)
+            ? contact::force_undeformed(model_.surfaces, index, pair, memory[p])
             : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
                              contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
                              pair.state);

@@ -31,7 +31,8 @@ void force_undeformed(benchmark::State& state) {
   slider.look(slider.shift({0.33, -1e-3}));
   constexpr Index kPoint = 1;
   for (auto _ : state)
-    benchmark::DoNotOptimize(contact::force_undeformed(slider.surfaces, kPoint, slider.pairs[kPoint]));
+    benchmark::DoNotOptimize(
+        contact::force_undeformed(slider.surfaces, kPoint, slider.pairs[kPoint], slider.memory[kPoint]));
 }
 BENCHMARK(force_undeformed);
 

@@ -77,13 +77,13 @@ Vec2 to_partner(const FacePositions& at, const Point& point, const Pair& pair) {
 }  // namespace
 
 double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index p,
-                         const Pair& pair) {
+                         const Pair& pair, const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
                                          : Vec2(at.end[point.face] - at.start[point.face]);
   const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
-  const Strength most = strength(surfaces.laws[face.crack], std::fabs(pair.state.traction.normal), pair.state.end);
+  const Strength most = strength(surfaces.laws[face.crack], std::fabs(pair.state.traction.normal), memory.state);
   return pair.state.ramp * touching_friction_of(most.value, std::fabs(slide));
 }
 
@@ -102,7 +102,6 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     return {gone, 0.0, memory.ramp * springs.stored_energy(memory.normal, memory.tangential)};
   }
   Memory next = memory;
-  next.state = now.end;
   next.normal = tn;
   next.tangential = tt;
   next.ramp = now.ramp;
@@ -125,6 +124,7 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
     const Place anchor = anchor_at(surfaces, at, p, pair, tt / springs.tangential);
     out.memory.anchor_face = anchor.face;
     out.memory.anchor_place = anchor.place;
+    out.memory.state = response(surfaces, p, pair, memory).end;
   }
   return out;
 }

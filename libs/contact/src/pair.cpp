@@ -62,10 +62,12 @@ struct Load {
 
 Load load_of(const PairPoints& p, const PairConstants& c, const Frame& f, const PairState& s, const Variations& d) {
   const double tn = s.traction.normal, tt = s.traction.tangential;
-  const Row d_tn = s.stiffness.normal * d.normal_gap;
-  Row d_tt = s.stiffness.by_normal * d_tn;
-  if (s.stiffness.tangential != 0.0)
-    d_tt += s.stiffness.tangential *
+  const ContactResponse answer = response(c, s);
+  const Stiffness& stiffness = answer.stiffness;
+  const Row d_tn = stiffness.normal * d.normal_gap;
+  Row d_tt = stiffness.by_normal * d_tn;
+  if (stiffness.tangential != 0.0)
+    d_tt += stiffness.tangential *
             (along(f.t, {-(1.0 - c.eta), -c.eta, 0.0, 0.0, 1.0, 0.0}) + (p.anchor - f.y).dot(f.n) * d.spin);
   const double couple = tt * s.normal_gap;
   const Row d_couple = s.normal_gap * d_tt + tt * d.normal_gap;
@@ -122,15 +124,7 @@ PairState evaluate(const PairPoints& p, const PairConstants& c) {
   s.normal_gap = (partner - f.y).dot(f.n);
   if (c.anchored) s.tangential_gap = (p.anchor - f.y).dot(f.t);
   if (c.mouth != 0) s.ramp = std::clamp(covered(p, c, f), 0.0, 1.0);
-  if (s.ramp == 0.0) {
-    s.end = c.begin;
-    return s;
-  }
-  const ContactResponse response =
-      respond(c.law, c.springs, {s.normal_gap, s.tangential_gap, c.anchored}, c.touch, c.begin);
-  s.traction = response.traction;
-  s.stiffness = response.stiffness;
-  s.end = response.end;
+  if (s.ramp > 0.0) s.traction = response(c, s).traction;
   return s;
 }
 

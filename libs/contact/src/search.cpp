@@ -171,6 +171,12 @@ void Search::collect_partners(const Surfaces& surfaces) {
   grid_.build(partner_start_, partner_end_);
 }
 
+ContactResponse response(const Surfaces& surfaces, Index p, const Pair& pair, const Memory& memory) {
+  const Index crack = surfaces.faces[surfaces.points[p].face].crack;
+  return respond(surfaces.laws[crack], surfaces.springs[crack],
+                 {pair.state.normal_gap, pair.state.tangential_gap, pair.anchored}, surfaces.touch(), memory.state);
+}
+
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
                        const Memory& memory) {
   const Index own = surfaces.points[p].face;
@@ -186,17 +192,16 @@ PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, 
                              const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  PairConstants out;
-  out.law = surfaces.laws[face.crack];
-  out.springs = surfaces.springs[face.crack];
-  out.begin = memory.state;
-  out.touch = surfaces.touch();
-  out.weight = point.weight;
-  out.eta = point.eta;
-  out.share_begin = point.share_begin;
-  out.share_end = point.share_end;
-  out.normal_sign = face.normal_sign();
-  out.anchored = pair.anchored;
+  PairConstants out{.law = surfaces.laws[face.crack],
+                    .springs = surfaces.springs[face.crack],
+                    .begin = memory.state,
+                    .touch = surfaces.touch(),
+                    .weight = point.weight,
+                    .eta = point.eta,
+                    .share_begin = point.share_begin,
+                    .share_end = point.share_end,
+                    .normal_sign = face.normal_sign(),
+                    .anchored = pair.anchored};
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];
     const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;

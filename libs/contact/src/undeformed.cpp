@@ -37,20 +37,16 @@ Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   s.stretch_length = f.length;
   s.normal_gap = d.dot(f.n);
   if (pair.anchored) s.tangential_gap = d.dot(f.t) + (memory.anchor_place - point.eta) * f.length;
-  const ContactResponse response =
-      respond(surfaces.laws[face.crack], surfaces.springs[face.crack], {s.normal_gap, s.tangential_gap, pair.anchored},
-              surfaces.touch(), memory.state);
-  s.traction = response.traction;
-  s.stiffness = response.stiffness;
-  s.end = response.end;
+  s.traction = response(surfaces, p, pair, memory).traction;
   return pair;
 }
 
-PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) {
+PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, const Memory& memory) {
   const Point& point = surfaces.points[p];
   const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;
-  const Stiffness& k0 = pair.state.stiffness;
+  const ContactResponse answer = response(surfaces, p, pair, memory);
+  const Stiffness& k0 = answer.stiffness;
   Mat2 stiffness = k0.normal * f.n * f.n.transpose();  // d t_0 / d jump
   if (k0.by_normal != 0.0) stiffness += k0.by_normal * k0.normal * f.t * f.n.transpose();
   if (k0.tangential != 0.0) stiffness += k0.tangential * f.t * f.t.transpose();

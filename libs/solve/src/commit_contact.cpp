@@ -27,8 +27,9 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
     }
     energies.friction_dissipation += weight * step.friction;
     if (contact::presses(pairs[p]) && !pairs[p].anchored)
-      energies.friction_dissipation += weight * contact::touching_friction(model.surfaces, faces_before,
-                                                                           assembler.face_positions(), index, pairs[p]);
+      energies.friction_dissipation +=
+          weight * contact::touching_friction(model.surfaces, faces_before, assembler.face_positions(), index, pairs[p],
+                                              history.contact[p]);
     energies.contact_pressure_work += weight * step.pressure;
     history.contact[p] = step.memory;
   }

@@ -31,9 +31,10 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index point, 
 
 /// Friction, J/m^2, of a point that was open and touches at the end of an increment. When it touched is not known: half
 /// of the increment counts, over which the pressure rises from 0. The law lets the point slide freely until its first
-/// increment has ended, and so the balance of energies misses this work. `before`: positions at its beginning.
+/// increment has ended, and so the balance of energies misses this work. `before`: positions at its beginning,
+/// `memory` of that time.
 double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index point,
-                         const Pair& pair);
+                         const Pair& pair, const Memory& memory);
 
 /// Memory of a point that carries no traction of its own (mortar contact): its anchor is its partner, and its slip what
 /// it has moved from the last one while it slid.

@@ -37,8 +37,6 @@ struct PairConstants {
 /// Gaps, tractions and the partner at the current positions.
 struct PairState {
   Traction traction;
-  Stiffness stiffness;          ///< of the springs; mortar contact has none
-  InterfaceState end;           ///< of the law, should the increment end here
   double normal_gap = 0.0;      ///< g_N, metres
   double tangential_gap = 0.0;  ///< g_T, metres; 0 without an anchor
   double partner = 0.0;         ///< the partner's place on its segment (outside [0, 1] past a mouth)
@@ -49,6 +47,12 @@ struct PairState {
 
 /// Evaluates gaps and tractions.
 PairState evaluate(const PairPoints& points, const PairConstants& constants);
+
+/// What springs and law answer to the gaps of a state.
+inline ContactResponse response(const PairConstants& constants, const PairState& state) {
+  return respond(constants.law, constants.springs, {state.normal_gap, state.tangential_gap, constants.anchored},
+                 constants.touch, constants.begin);
+}
 
 /// Internal force (N/m) on the four segment ends, and its derivative with respect to all six points.
 struct PairForce {

@@ -63,6 +63,9 @@ class Search {
   std::vector<Vec2> partner_start_, partner_end_;
 };
 
+/// What springs and law answer to the gaps of a pair, at either strain, from what the point remembers.
+ContactResponse response(const Surfaces& surfaces, Index point, const Pair& pair, const Memory& memory);
+
 /// The six points of a pair, from current positions.
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
                        const Memory& memory);

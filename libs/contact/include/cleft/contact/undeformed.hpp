@@ -20,7 +20,7 @@ namespace cleft::contact {
 Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index point, const Memory& memory);
 
 /// Internal force (N/m) and its derivative; the anchor and the mouth have no columns of their own.
-PairForce force_undeformed(const Surfaces& surfaces, Index point, const Pair& pair);
+PairForce force_undeformed(const Surfaces& surfaces, Index point, const Pair& pair, const Memory& memory);
 
 /// Where the anchor lies, as a place on the face, at which the tangential gap is `target` (metres).
 double anchor_place_at(const Surfaces& surfaces, const FacePositions& at, Index point, double target);
