@@ -49,7 +49,7 @@ std::string describe(const problem::GrowthLaw& law) {
 
 std::string name_of(const problem::MaterialSpec::Region& region) {
   if (region.crack.empty()) return "region " + region.name;
-  return fmt::format("the body {} of crack {}", name_of(region.side), region.crack);
+  return fmt::format("the body {} of crack {}", cleft::name_of(region.side), region.crack);
 }
 
 std::string describe(const problem::MaterialSpec& m) {
@@ -145,7 +145,7 @@ int check(const Options& options) {
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
-  print("kinematics", std::string(name_of(scene.kinematics)));
+  print("kinematics", std::string(cleft::name_of(scene.kinematics)));
   for (const auto& m : scene.materials) print("material", describe(m));
   print_loads(scene);
   print("switched on", switched_on(scene, model));
