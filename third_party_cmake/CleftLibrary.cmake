@@ -3,12 +3,14 @@
 #   DEPENDS <libraries of cleft below this one>
 #   PUBLIC  <imported targets that its headers need>
 #   PRIVATE <imported targets that only its sources need>
-#   TEST    <imported targets that only its tests and benchmarks need>)
+#   TEST    <imported targets that only its tests and benchmarks need>
+#   SLOW    <patterns of its tests that take long: see cleft_tests>)
 #
 # declares library NAME in the folder libs/NAME, with its include/, src/, tests/ and benchmarks/:
 #   cleft_NAME, alias cleft::NAME   static library (interface library without sources), installed and
 #                                   exported unless it is INTERNAL: then only the program of this tree links it
-#   test_NAME                       tests, if CLEFT_TESTS; they see src/ as well, for the private headers
+#   test_NAME                       tests, if CLEFT_TESTS; they see src/ as well, for the private headers. They are labelled
+#                                   `library`, and the target library_tests builds those of all libraries
 #   bench_NAME                      benchmarks, if CLEFT_BENCHMARKS; likewise
 # A dependency outside the table of CleftArrows.cmake stops the configuration.
 
@@ -16,7 +18,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/CleftArrows.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/CleftTarget.cmake)
 
 function(cleft_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;PUBLIC;PRIVATE;TEST")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;PUBLIC;PRIVATE;TEST;SLOW")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "cleft_library: ${name}: unknown argument ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -49,8 +51,12 @@ function(cleft_library name)
     endif()
   endif()
 
-  cleft_tests(${name} ${library} ${arg_TEST})
+  cleft_tests(${name} ${library} ${arg_TEST} LABELS library SLOW ${arg_SLOW})
   if(TARGET test_${name})
+    if(NOT TARGET library_tests)
+      add_custom_target(library_tests)
+    endif()
+    add_dependencies(library_tests test_${name})
     target_include_directories(test_${name} PRIVATE ${here}/src)
   endif()
   if(CLEFT_BENCHMARKS)

@@ -6,10 +6,10 @@ install_missing_packages gcovr chromium chromium-driver python3-selenium  # the 
 
 say "building the tests of the libraries and of the program with counters in build/coverage"
 cmake --preset coverage
-cmake --build --preset coverage --parallel "$(nproc)" --target cleft test_tools "${libraries[@]/#/test_}"
+cmake --build --preset coverage --parallel "$(nproc)" --target cleft test_tools library_tests
 
 find build/coverage -name '*.gcda' -delete
 say "running them"
 # a program that is killed, or finds the disk full, leaves broken counters
-run_tests coverage "${libraries[*]} tools" --exclude-regex "Program.(Killed|AFullDisk)"
+run_tests coverage --label-regex "^(library|tools)$" --exclude-regex "Program.(Killed|AFullDisk)"
 gcovr --root . --filter 'libs/.*/(src|include)/' --object-directory build/coverage --print-summary build/coverage

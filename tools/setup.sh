@@ -35,13 +35,8 @@ build() {
   cmake --build --preset release --parallel "$(nproc)" --target "$1"
 }
 
-# The libraries, lowest first, which are the labels of their tests.
-libraries=(support geometry constitutive contact enrichment assembly growth scene report verify)
-
-# run_tests PRESET "LABEL..." [ctest options]: the tests with one of these labels.
-run_tests() {
-  ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" --label-regex "^(${2// /|})$" "${@:3}"
-}
+# run_tests PRESET [ctest options]
+run_tests() { ctest --test-dir "build/$1" --output-on-failure --no-tests=error -j"$(nproc)" "${@:2}"; }
 
 mapfile -t packages < <(grep -v '^#' tools/packages.txt | grep .)
 install_missing_packages "${packages[@]}"

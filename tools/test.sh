@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Builds everything, the documentation as well, and runs all tests, those of the libraries with sanitizers first.
+# Builds everything, the documentation as well, and runs all tests: first the form of the sources (tools/lint.sh), then the tests
+# of the libraries with sanitizers.
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+tools/lint.sh
 tools/sanitize.sh
 build all
 # the pages of `cleft report` are tried in a browser
@@ -11,4 +13,4 @@ tools/docs/build.sh
 /usr/bin/python3 tools/docs/run_commands.py
 
 say "running the tests"
-ctest --test-dir build/release --output-on-failure -j2
+run_tests release

@@ -49,7 +49,7 @@ std::string describe(const problem::GrowthLaw& law) {
 
 std::string name_of(const problem::MaterialSpec::Region& region) {
   if (region.crack.empty()) return "region " + region.name;
-  return fmt::format("the body {} of crack {}", region.side == geometry::Side::Left ? "left" : "right", region.crack);
+  return fmt::format("the body {} of crack {}", name_of(region.side), region.crack);
 }
 
 std::string describe(const problem::MaterialSpec& m) {
@@ -134,18 +134,18 @@ int check(const Options& options) {
     };
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));
-    const auto& law = model.surfaces.laws[k];
+    const auto& springs = model.surfaces.springs[k];
+    const double friction = scene.cracks[k].friction;
     if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
     const auto& mortar = scene.cracks[k].mortar;
-    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes",
-                                      law.friction, mortar.smoothing, mortar.hat_width)
-                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", law.friction, law.normal_penalty,
-                                      law.tangential_penalty));
+    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes", friction,
+                                      mortar.smoothing, mortar.hat_width)
+                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", friction, springs.normal,
+                                      springs.tangential));
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));
-  const bool small = scene.kinematics == problem::Kinematics::Small;
-  print("kinematics", small ? "small" : "finite");
+  print("kinematics", std::string(name_of(scene.kinematics)));
   for (const auto& m : scene.materials) print("material", describe(m));
   print_loads(scene);
   print("switched on", switched_on(scene, model));

@@ -49,7 +49,7 @@ std::vector<scene::Key> keys_at(const std::string& where) {
   throw InputError({}, where,
                    near.empty() ? "is no key of a scene; allowed: those that `cleft scene` lists"
                                 : fmt::format("is no key of a scene; did you mean {}? `cleft scene` lists all",
-                                              dotted({section, near, {}, {}})));
+                                              dotted({section, std::string(near), {}, {}})));
 }
 
 int print_keys(const Options& options) {

@@ -134,7 +134,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   motion.F = homogeneous(model.material(0), patch);
   motion.gap = patch.mortar.on
                    ? 0.0
-                   : (patch.elastic == Side::Right ? -1.0 : 1.0) * kPressure / model.surfaces.laws[0].normal_penalty;
+                   : (patch.elastic == Side::Right ? -1.0 : 1.0) * kPressure / model.surfaces.springs[0].normal;
   motion.above = patch.elastic == Side::Right;
   prescribe(model, motion, patch.elastic);
   const Mat2 F = motion.turn * motion.F * motion.turn.transpose();

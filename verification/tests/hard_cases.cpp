@@ -202,6 +202,7 @@ Overrides edge_crack(std::vector<Vec2> points, Overrides more = {}) {
   return more;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table of cases
 std::vector<Pair> pairs() {
   constexpr double h = 0.005;
   const Vec2 mouth(0.0, 0.01833), tip(0.035, 0.05333), along(1.0, 1.0);

@@ -31,6 +31,7 @@ const std::vector<std::string> kCorners = {
     "mesh.cells=[16,32]", "loading.steps=50", "boundary.top.ux=-0.01", "boundary.top.uy=-0.01",
     points_of("main", {{0.0, 0.01833}, {0.0167, 0.0338}, {0.0177, 0.0332}, {0.0349, 0.05323}})};
 
+// NOLINTNEXTLINE(readability-function-size): a table of cases
 std::vector<Fault> faults() {
   const auto plastic = [](std::vector<std::string> more) {
     more.push_back(

@@ -15,10 +15,10 @@ namespace {
 
 // Without lateral contraction and at strains so small that squares do not count, a body that is held vertically on all
 // sides is pressed by one stress and sheared by another, and its free sides need no horizontal force.
-constexpr double kYoung = 1e10, kFriction = 0.4, kHeight = 1.0;
-constexpr double kPressed = 1e-7;                                // strain
-constexpr double kSlips = kFriction * kPressed * 2.0 * kHeight;  // displacement at which the crack slides at first
-constexpr double kFar = 3.0 * kSlips;                            // where it is turned back
+constexpr double kYoung = 1e10, kFriction = 0.4, kBodyHeight = 1.0;
+constexpr double kPressed = 1e-7;                                    // strain
+constexpr double kSlips = kFriction * kPressed * 2.0 * kBodyHeight;  // displacement at which the crack slides at first
+constexpr double kFar = 3.0 * kSlips;                                // where it is turned back
 constexpr int kLegs = 6;
 
 struct Body {
@@ -30,7 +30,7 @@ struct Body {
 problem::Specification square(const Body& body, int steps_a_leg) {
   problem::Specification scene;
   problem::StructuredMesh mesh;
-  mesh.box = {0.0, 0.0, 1.0, kHeight};
+  mesh.box = {0.0, 0.0, 1.0, kBodyHeight};
   mesh.cells = {8, 8};
   scene.mesh.kind = mesh;
   scene.kinematics = body.kinematics;
@@ -63,7 +63,7 @@ void prescribe(assembly::Model& model) {
   top.name = "top";
   for (Index q = 0; q < model.unknowns.displacements(); ++q) {
     const Vec2& X = model.mesh.nodes[model.unknowns.node_of[q]];
-    const bool low = X.y() == 0.0, high = X.y() == kHeight;
+    const bool low = X.y() == 0.0, high = X.y() == kBodyHeight;
     if (low || high || X.x() == 0.0 || X.x() == 1.0) sides.unknowns.push_back(q);
     if (low) bottom.unknowns.push_back(q);
     if (high) top.unknowns.push_back(q);

@@ -22,15 +22,49 @@ void Assembler::find_contact(const VecX& displacement, const History& history, c
   }
 }
 
-void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
-  const PhaseTimer timer(seconds_.contact);
-  const auto& faces = model_.surfaces.faces;
+// A force has inputs (points of faces, in pairs of components), an unknown moves one or the two ends of a face.
+struct Assembler::PairColumns {
   struct Column {
     Index unknown;
     double start, end;  // weights of the two inputs at `input`, `input + 2`
     int input;
   };
   std::array<Column, 4 * enrichment::ShortList<Index>::kCapacity> columns;
+  int count = 0;
+  int rows = 0;  // the first of them, on which the force acts
+
+  PairColumns(const contact::Surfaces& surfaces, Index point, const contact::Pair& pair,
+              const contact::Memory& memory) {
+    const auto& faces = surfaces.faces;
+    add_ends(faces[surfaces.points[point].face], 0);
+    add_ends(faces[pair.partner_face], 4);
+    rows = count;
+    if (pulls_anchor(surfaces, pair)) add_place(faces[memory.anchor_face], memory.anchor_place, 8);
+    if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
+      add_place(faces[pair.mouth_face], pair.mouth_at_end ? 1.0 : 0.0, 10);
+  }
+
+  void add_ends(const enrichment::Face& face, int input) {
+    for_each_weight(face, [&](Index unknown, double s, double e) { columns[count++] = {unknown, s, e, input}; });
+  }
+
+  // place: 0 at the face's start, 1 at its end
+  void add_place(const enrichment::Face& face, double place, int input) {
+    for_each_weight(face, [&](Index unknown, double s, double e) {
+      columns[count++] = {unknown, (1.0 - place) * s + place * e, 0.0, input};
+    });
+  }
+
+  void for_each_weight(const enrichment::Face& face, const auto& add) {
+    for (std::size_t k = 0; k < face.start.unknown.size(); ++k) {
+      const double s = face.start.weight[k], e = face.end.weight[k];
+      if (s != 0.0 || e != 0.0) add(face.start.unknown[k], s, e);
+    }
+  }
+};
+
+void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
+  const PhaseTimer timer(seconds_.contact);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
     if (!contact::presses(pair) || is_mortar(model_.surfaces, p)) continue;
@@ -39,36 +73,24 @@ void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
         model_.surfaces.undeformed
             ? contact::force_undeformed(model_.surfaces, index, pair)
             : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                             contact::pair_constants(model_.surfaces, face_positions(), index, pair), pair.state);
-    int count = 0;
-    const auto add = [&](Index f, int input, double start_share, double end_share, bool two_points) {
-      for (std::size_t k = 0; k < faces[f].start.unknown.size(); ++k) {
-        const double s = faces[f].start.weight[k], e = faces[f].end.weight[k];
-        if (s == 0.0 && e == 0.0) continue;
-        columns[count++] = two_points ? Column{faces[f].start.unknown[k], s, e, input}
-                                      : Column{faces[f].start.unknown[k], start_share * s + end_share * e, 0.0, input};
-      }
-    };
-    add(model_.surfaces.points[p].face, 0, 0, 0, true);
-    add(pair.partner_face, 4, 0, 0, true);
-    const int rows = count;
-    if (pulls_anchor(model_.surfaces, pair))
-      add(memory[p].anchor_face, 8, 1.0 - memory[p].anchor_place, memory[p].anchor_place, false);
-    if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
-      add(pair.mouth_face, 10, pair.mouth_at_end ? 0.0 : 1.0, pair.mouth_at_end ? 1.0 : 0.0, false);
+                             contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
+                             pair.state);
+    add_pair(PairColumns(model_.surfaces, index, pair, memory[p]), force);
+  }
+}
 
-    for (int r = 0; r < rows; ++r) {
-      const auto& row = columns[r];
-      contact_force_.segment<2>(2 * row.unknown) +=
-          row.start * force.force.segment<2>(row.input) + row.end * force.force.segment<2>(row.input + 2);
-      const Eigen::Matrix<double, 2, contact::kPairInputs> t =
-          row.start * force.tangent.middleRows<2>(row.input) + row.end * force.tangent.middleRows<2>(row.input + 2);
-      for (int c = 0; c < count; ++c) {
-        const auto& column = columns[c];
-        Mat2 block = column.start * t.middleCols<2>(column.input);
-        if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
-        matrix_.add(matrix_.find(row.unknown, column.unknown), block);
-      }
+void Assembler::add_pair(const PairColumns& pair, const contact::PairForce& force) {
+  for (int r = 0; r < pair.rows; ++r) {
+    const auto& row = pair.columns[r];
+    contact_force_.segment<2>(2 * row.unknown) +=
+        row.start * force.force.segment<2>(row.input) + row.end * force.force.segment<2>(row.input + 2);
+    const Eigen::Matrix<double, 2, contact::kPairInputs> t =
+        row.start * force.tangent.middleRows<2>(row.input) + row.end * force.tangent.middleRows<2>(row.input + 2);
+    for (int c = 0; c < pair.count; ++c) {
+      const auto& column = pair.columns[c];
+      Mat2 block = column.start * t.middleCols<2>(column.input);
+      if (column.end != 0.0) block += column.end * t.middleCols<2>(column.input + 2);
+      matrix_.add(matrix_.find(row.unknown, column.unknown), block);
     }
   }
 }

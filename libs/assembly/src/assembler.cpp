@@ -25,6 +25,73 @@ void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face,
   for (int k = 0; k < reach && (f = faces[f].next) != kNone; ++k) out.push_back(f);
 }
 
+// Pairs of unknowns whose block of the matrix is not zero, with repetitions.
+struct Couplings {
+  std::vector<std::array<Index, 2>> blocks;
+
+  void add(const auto& unknowns) {
+    for (const Index i : unknowns)
+      for (const Index j : unknowns) blocks.push_back({i, j});
+  }
+
+  void add_each(const auto& parts) {
+    for (const auto& part : parts) add(part.unknown);
+  }
+};
+
+// Points of one triangle follow each other and have the same unknowns.
+void couple_tip_points(const std::vector<enrichment::TipPoint>& points, Couplings& couplings) {
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (p == 0 || points[p].unknown != points[p - 1].unknown) couplings.add(points[p].unknown);
+}
+
+std::array<Index, 2> multipliers_of(const contact::Surfaces& surfaces, const contact::HatInterval& interval) {
+  return {surfaces.first_multiplier + interval.first, surfaces.first_multiplier + interval.second};
+}
+
+void couple_multipliers(const contact::Surfaces& surfaces, Couplings& couplings) {
+  for (const auto& interval : surfaces.hats.intervals) couplings.add(multipliers_of(surfaces, interval));
+}
+
+void add_unknowns(const contact::Surfaces& surfaces, Index face, std::vector<Index>& out) {
+  const auto& own = surfaces.faces[face].start.unknown;
+  out.insert(out.end(), own.begin(), own.end());
+  const auto& hats = surfaces.hats;
+  if (hats.empty()) return;
+  for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
+    const auto multipliers = multipliers_of(surfaces, hats.intervals[hats.strips[k].interval]);
+    out.insert(out.end(), multipliers.begin(), multipliers.end());
+  }
+}
+
+// Ascending: displacements and multipliers of a face and of those that it may touch.
+std::vector<Index> unknowns_near(const contact::Surfaces& surfaces, Index face, const std::vector<Index>& others) {
+  std::vector<Index> out;
+  add_unknowns(surfaces, face, out);
+  for (const Index other : others) add_unknowns(surfaces, other, out);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+// Where the matrix holds the blocks of each part's unknowns.
+void find_places(const BlockMatrix& matrix, const auto& parts, auto& places) {
+  places.resize(parts.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const auto& unknown = parts[p].unknown;
+    for (std::size_t l = 0; l < unknown.size(); ++l)
+      for (std::size_t k = 0; k < unknown.size(); ++k) {
+        const auto at = matrix.find(unknown[k], unknown[l]);
+        places[p].start[k][l] = at.start;
+        places[p].stride[l] = at.stride;
+      }
+  }
+}
+
+// m^2 of the reference configuration
+double area_of(const enrichment::Cell& cell) { return cell.area; }
+double area_of(const enrichment::TipPoint& point) { return point.weight; }
+
 }  // namespace
 
 AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
@@ -53,62 +120,20 @@ void Assembler::set_room(ContactRoom room) {
 
 void Assembler::build_pattern() {
   const PhaseTimer timer(seconds_.pattern);
-  std::vector<std::array<Index, 2>> blocks;
-  blocks.reserve(9 * model_.cells.size());
-  const auto couple = [&](const auto& rows, const auto& columns) {
-    for (const Index i : rows)
-      for (const Index j : columns) blocks.push_back({i, j});
-  };
-  for (const auto& cell : model_.cells) couple(cell.unknown, cell.unknown);
-  for (const auto& patch : patches_) couple(patch.unknown, patch.unknown);
-  for (std::size_t p = 0; p < model_.tip_points.size(); ++p) {
-    const auto& unknown = model_.tip_points[p].unknown;
-    if (p == 0 || unknown != model_.tip_points[p - 1].unknown) couple(unknown, unknown);  // once per triangle
-  }
-  for (const auto& tie : model_.ties) couple(tie.unknown, tie.unknown);
-  const auto& hats = model_.surfaces.hats;
-  const Index first = model_.surfaces.first_multiplier;
-  for (const auto& interval : hats.intervals) {
-    const std::array<Index, 2> ends{first + interval.first, first + interval.second};
-    couple(ends, ends);
-  }
-  std::vector<Index> together;
-  for (std::size_t f = 0; f < room_.size(); ++f) {
-    if (room_[f].empty()) continue;
-    const auto& own = model_.surfaces.faces[f].start.unknown;
-    together.assign(own.begin(), own.end());
-    for (const Index g : room_[f])
-      together.insert(together.end(), model_.surfaces.faces[g].start.unknown.begin(),
-                      model_.surfaces.faces[g].start.unknown.end());
-    if (!hats.empty()) {
-      const auto add_hats = [&](Index face) {
-        for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
-          const auto& interval = hats.intervals[hats.strips[k].interval];
-          together.insert(together.end(), {first + interval.first, first + interval.second});
-        }
-      };
-      add_hats(static_cast<Index>(f));
-      for (const Index g : room_[f]) add_hats(g);
-    }
-    std::sort(together.begin(), together.end());
-    together.erase(std::unique(together.begin(), together.end()), together.end());
-    couple(together, together);
-  }
-  matrix_ = BlockMatrix(model_.unknowns.count, blocks);
-  const auto place = [this](const auto& points, auto& places) {
-    places.resize(points.size());
-    for (std::size_t p = 0; p < points.size(); ++p)
-      for (std::size_t l = 0; l < points[p].unknown.size(); ++l)
-        for (std::size_t k = 0; k < points[p].unknown.size(); ++k) {
-          const auto at = matrix_.find(points[p].unknown[k], points[p].unknown[l]);
-          places[p].start[k][l] = at.start;
-          places[p].stride[l] = at.stride;
-        }
-  };
-  place(model_.cells, places_);
-  place(patches_, patch_places_);
-  place(model_.tip_points, tip_places_);
-  opposite_.assign(hats.strips.size(), {});
+  Couplings couplings;
+  couplings.blocks.reserve(9 * model_.cells.size());
+  couplings.add_each(model_.cells);
+  couplings.add_each(patches_);
+  couple_tip_points(model_.tip_points, couplings);
+  couplings.add_each(model_.ties);
+  couple_multipliers(model_.surfaces, couplings);
+  for (std::size_t f = 0; f < room_.size(); ++f)
+    if (!room_[f].empty()) couplings.add(unknowns_near(model_.surfaces, static_cast<Index>(f), room_[f]));
+  matrix_ = BlockMatrix(model_.unknowns.count, couplings.blocks);
+  find_places(matrix_, model_.cells, places_);
+  find_places(matrix_, patches_, patch_places_);
+  find_places(matrix_, model_.tip_points, tip_places_);
+  opposite_.assign(model_.surfaces.hats.strips.size(), {});
   ++version_;
 }
 
@@ -194,11 +219,12 @@ constitutive::Response Assembler::respond(const Law& law, const Mat2& deformatio
 // theory (1.3), (1.4). False where the point is turned inside out.
 template <class Law, class Point, std::size_t unknowns>
 bool Assembler::add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
-                          const Point& point, double weight, const Places<unknowns>& places) {
+                          const Point& point, const Places<unknowns>& places) {
   const Mat2 F = deformation_for<Law>(point, displacement);
   if (!constitutive::kIsSmallStrain<Law> && !(det(F) > 0.0)) return false;
   const constitutive::Response r = respond(law, F, history, number);
   const auto& g = point.gradient;
+  const double weight = area_of(point);
   for (std::size_t l = 0; l < unknowns; ++l) {
     force_.segment<2>(2 * point.unknown[l]).noalias() += weight * (r.piola * g[l]);
     if (matrix_is_final_) continue;
@@ -264,13 +290,11 @@ Index Assembler::bulk_loop(const Law& law, const PointRange& range, const VecX& 
       if (const Index bad = add_patch(law, displacement, history, number); bad != kNone) return bad;
       continue;
     }
-    if (!add_point(law, displacement, history, c, model_.cells[c], model_.cells[c].area, places_[c]))
-      return static_cast<Index>(c);
+    if (!add_point(law, displacement, history, c, model_.cells[c], places_[c])) return static_cast<Index>(c);
   }
   for (; c < range.last; ++c) {
     const auto& point = model_.tip_points[c - cells];
-    if (!add_point(law, displacement, history, c, point, point.weight, tip_places_[c - cells]))
-      return static_cast<Index>(c);
+    if (!add_point(law, displacement, history, c, point, tip_places_[c - cells])) return static_cast<Index>(c);
   }
   return kNone;
 }

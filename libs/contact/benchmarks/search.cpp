@@ -25,7 +25,8 @@ void pair_force(benchmark::State& state) {
   const Index p = 1;
   const auto points =
       contact::pair_points(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.memory[p]);
-  const auto constants = contact::pair_constants(slider.surfaces, slider.search.positions(), p, slider.pairs[p]);
+  const auto constants =
+      contact::pair_constants(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.memory[p]);
   for (auto _ : state) {
     const auto s = contact::evaluate(points, constants);
     benchmark::DoNotOptimize(contact::force(points, constants, s));

@@ -28,7 +28,8 @@ Wanted wanted(const NodeLaw& law, const NodeChoice& now, const Vec2& trial) {
     return {{Status::Open}, trial.x()};
   }
   if (!law.held) return {{Status::Stick}, open ? -trial.x() : 0.0};
-  const double beyond = std::fabs(trial.y()) - law.friction * std::max(0.0, -trial.x()) - law.touch;
+  const double strength = std::max(0.0, law.cohesion + law.friction * std::max(0.0, -trial.x()));
+  const double beyond = std::fabs(trial.y()) - strength - law.touch;
   const NodeChoice choice =
       beyond <= 0.0 ? NodeChoice{Status::Stick} : NodeChoice{Status::Slip, std::copysign(1.0, trial.y())};
   if (choice == now) return {now};
@@ -102,7 +103,7 @@ class Search {
     take(2 * i + 1, status == Status::Stick && law.held);
     if (status != Status::Slip) return;
     A.row(2 * i + 1) += slides * law.friction * problem_.by_force.row(2 * i);
-    b[2 * i + 1] -= slides * law.friction * problem_.force[2 * i];
+    b[2 * i + 1] += slides * (law.cohesion - law.friction * problem_.force[2 * i]);
   }
 
   bool is_solved() const {

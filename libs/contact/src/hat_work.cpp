@@ -75,13 +75,16 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
 double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
   const auto& node = nodes_[i];
   const auto& at = surfaces.hats.nodes[i];
-  const double friction = surfaces.laws[at.crack].friction, slide = std::fabs(node.plastic_slip) / at.length;
-  const double strength = friction * std::fabs(node.normal);
+  const double slide = std::fabs(node.plastic_slip) / at.length;
+  const auto strength_at = [&](double pressure) {
+    return strength(surfaces.laws[at.crack], pressure, before.state[i]).value;
+  };
+  const double at_end = strength_at(std::fabs(node.normal));
   if (before.status[i] == Status::Open)
-    return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(strength, slide);
+    return node.status == Status::Open ? 0.0 : at.length * touching_friction_of(at_end, slide);
   if (node.status == Status::Stick) return 0.0;
   const double traction = std::copysign(1.0, node.plastic_slip) * before.multiplier[2 * i + 1];
-  return at.length * friction_of({traction, friction * std::fabs(before.multiplier[2 * i]), strength,
+  return at.length * friction_of({traction, strength_at(std::fabs(before.multiplier[2 * i])), at_end,
                                   surfaces.mortar[at.crack].scale, slide});
 }
 
@@ -121,7 +124,10 @@ double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at
 HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
   HatAdvance out{remembered(surfaces, at)};
   out.pressure = before.stored - out.memory.stored + mouth_work(surfaces, at, before);
+  out.memory.state = before.state;
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
+    if (nodes_[i].status == Status::Slip)
+      out.memory.state[i].slip += std::fabs(nodes_[i].plastic_slip) / surfaces.hats.nodes[i].length;
     out.friction += friction_work(surfaces, i, before);
     out.pressure += smoothing_work(i, before);
     out.pressure +=

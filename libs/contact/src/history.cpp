@@ -46,28 +46,24 @@ void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const
   memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
 }
 
-double stored(double normal, double tangential, const Law& law) {
-  return 0.5 * (normal * normal / law.normal_penalty + tangential * tangential / law.tangential_penalty);
-}
-
 double mean(double a, double b) { return 0.5 * (a + b); }
 
 // The part of the increment over which the point presses if its normal gap changes evenly.
-double pressed_part(const Law& law, const PairState& now, const Memory& memory) {
+double pressed_part(const Springs& springs, const PairState& now, const Memory& memory) {
   if (now.traction.status != Status::Open) return 1.0;
-  const double pull = law.normal_penalty * std::fmax(0.0, now.normal_gap);
+  const double pull = springs.normal * std::fmax(0.0, now.normal_gap);
   return pull > memory.normal ? memory.normal / (memory.normal - pull) : 0.0;
 }
 
 // Per unit of the ramp. What the springs would bear without sliding goes beyond the strength by what the slide takes
 // off.
-double friction_work(const Law& law, const PairState& now, const Memory& memory) {
+double friction_work(const InterfaceLaw& law, const Springs& springs, const PairState& now, const Memory& memory) {
   if (now.traction.status == Status::Stick) return 0.0;
-  const double pressed = pressed_part(law, now, memory);
-  const double trial = memory.tangential + pressed * (law.tangential_penalty * now.tangential_gap - memory.tangential);
-  const double strength = std::fabs(now.traction.tangential);
-  return friction_of({std::copysign(1.0, trial) * memory.tangential, -law.friction * memory.normal, strength,
-                      law.tangential_penalty, std::fmax(0.0, std::fabs(trial) - strength) / law.tangential_penalty});
+  const double pressed = pressed_part(springs, now, memory);
+  const double trial = memory.tangential + pressed * (springs.tangential * now.tangential_gap - memory.tangential);
+  const double at_end = std::fabs(now.traction.tangential);
+  return friction_of({std::copysign(1.0, trial) * memory.tangential, strength(law, -memory.normal, memory.state).value,
+                      at_end, springs.tangential, std::fmax(0.0, std::fabs(trial) - at_end) / springs.tangential});
 }
 
 // From the point to the material point that is its partner now.
@@ -87,35 +83,38 @@ double touching_friction(const Surfaces& surfaces, const FacePositions& before, 
   const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
                                          : Vec2(at.end[point.face] - at.start[point.face]);
   const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
-  const double strength = surfaces.laws[face.crack].friction * std::fabs(pair.state.traction.normal);
-  return pair.state.ramp * touching_friction_of(strength, std::fabs(slide));
+  const Strength most = strength(surfaces.laws[face.crack], std::fabs(pair.state.traction.normal), pair.state.end);
+  return pair.state.ramp * touching_friction_of(most.value, std::fabs(slide));
 }
 
 // theory (7.7)
 Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
   const Point& point = surfaces.points[p];
-  const Law& law = surfaces.laws[surfaces.faces[point.face].crack];
+  const Index crack = surfaces.faces[point.face].crack;
+  const Springs& springs = surfaces.springs[crack];
   const PairState& now = pair.state;
   const double tn = now.traction.normal, tt = now.traction.tangential;
 
   if (pair.partner_face == kNone || now.ramp == 0.0) {
     Memory gone;
-    gone.slip = memory.slip;
+    gone.state = memory.state;
     gone.ramp = 0.0;
-    return {gone, 0.0, memory.ramp * stored(memory.normal, memory.tangential, law)};
+    return {gone, 0.0, memory.ramp * springs.stored_energy(memory.normal, memory.tangential)};
   }
   Memory next = memory;
+  next.state = now.end;
   next.normal = tn;
   next.tangential = tt;
   next.ramp = now.ramp;
   next.slope = now.slope;
   Advance out{next};
-  out.pressure = mean(stored(tn, tt, law), stored(memory.normal, memory.tangential, law)) * (memory.ramp - now.ramp);
+  out.pressure = mean(springs.stored_energy(tn, tt), springs.stored_energy(memory.normal, memory.tangential)) *
+                 (memory.ramp - now.ramp);
   if (pair.anchored) {
-    const double slide = now.tangential_gap - memory.tangential / law.tangential_penalty;
+    const double slide = now.tangential_gap - memory.tangential / springs.tangential;
     out.pressure += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) *
-                    pressed_part(law, now, memory) * slide;
-    out.friction = mean(memory.ramp, now.ramp) * friction_work(law, now, memory);
+                    pressed_part(springs, now, memory) * slide;
+    out.friction = mean(memory.ramp, now.ramp) * friction_work(surfaces.laws[crack], springs, now, memory);
   }
   if (now.traction.status == Status::Open) {
     out.memory.anchor_face = kNone;
@@ -123,11 +122,9 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   } else if (!pair.anchored) {
     take_hold(surfaces, at, p, pair, out.memory);
   } else if (now.traction.status == Status::Slip) {
-    const double target = tt / law.tangential_penalty;
-    const Place anchor = anchor_at(surfaces, at, p, pair, target);
+    const Place anchor = anchor_at(surfaces, at, p, pair, tt / springs.tangential);
     out.memory.anchor_face = anchor.face;
     out.memory.anchor_place = anchor.place;
-    out.memory.slip += std::fabs(now.tangential_gap - target);
   }
   return out;
 }
@@ -135,10 +132,10 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
 Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
   const PairState& now = pair.state;
   Memory next;
-  next.slip = memory.slip;
+  next.state = memory.state;
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;
-  if (pair.anchored && now.traction.status == Status::Slip) next.slip += std::fabs(now.tangential_gap);
+  if (pair.anchored && now.traction.status == Status::Slip) next.state.slip += std::fabs(now.tangential_gap);
   take_hold(surfaces, at, p, pair, next);
   next.normal = now.traction.normal;
   next.tangential = now.traction.tangential;

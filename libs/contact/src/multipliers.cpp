@@ -1,29 +1,14 @@
 #include "cleft/contact/multipliers.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "smoothing.hpp"
 
 namespace cleft::contact {
 namespace {
 
-// The part of an interval below which its nodes lean on their neighbours.
-constexpr double kCover = 0.25;
-
 // Of a face: places that are no further apart are the same.
 constexpr double kTie = 1e-9;
-
-const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
-
-// kappa_e l_e / 12 of theory (8.4), and its derivative with regard to what is covered.
-struct Compliance {
-  double value = 0.0, by_cover = 0.0;
-};
-
-Compliance compliance(const Mortar& mortar, double length, double covered) {
-  const double scale = mortar.compliance * length / 12.0, bare = 1.0 - covered / (kCover * length);
-  if (bare <= 0.0) return {mortar.smoothing * scale, 0.0};
-  return {(mortar.smoothing + bare) * scale, -scale / (kCover * length)};
-}
 
 bool has_hats_on_both_faces(const Surfaces& surfaces) {
   for (std::size_t c = 0; c < surfaces.mortar.size(); ++c)
@@ -61,18 +46,6 @@ std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<
   return out;
 }
 
-// The part of an interval's past that is still there: it goes with what is covered, below kCover of the length.
-// Parts of consecutive increments multiply to that of all of them.
-struct Kept {
-  double value = 1.0, by_cover = 0.0;
-};
-
-Kept kept_of(double length, double covered, double past_coverage) {
-  const double now = covered / length, past = std::min(kCover, past_coverage);
-  if (now >= past) return {};
-  return {now / past, 1.0 / (past * length)};
-}
-
 }  // namespace
 
 HatMemory hats_at_rest(const Surfaces& surfaces) {
@@ -84,7 +57,8 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
           trails_at_rest(surfaces),
           std::vector<double>(hats.nodes.size(), 0.0),
           std::vector<double>(hats.nodes.size(), 0.0),
-          0.0};
+          0.0,
+          std::vector<InterfaceState>(hats.nodes.size())};
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
@@ -177,103 +151,6 @@ void Multipliers::find_reached(const Surfaces& surfaces) {
   }
   for (Index i = count - 2; i >= 0; --i)
     if (hats.nodes[i].after != kNone && reached_[i + 1]) reached_[i] = true;
-}
-
-// theory (8.3)
-void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory, Conditions conditions) {
-  const auto& hats = surfaces.hats;
-  const auto& node = hats.nodes[i];
-  const auto& mortar = mortar_of(surfaces, node);
-  const double c = mortar.scale, friction = surfaces.laws[node.crack].friction;
-  auto& s = nodes_[i];
-  auto& out = conditions_[i];
-  const Vec2 own = s.traction();
-
-  Vec2 smooth = Vec2::Zero();  // Z, and its derivatives with regard to tractions and covers
-  double by_own = 0.0;
-  std::array<double, 2> by_neighbour{};
-  std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};
-  for (int k = 0; k < 2; ++k) {
-    const Index e = k == 0 ? node.before : node.after;
-    if (e == kNone) continue;
-    const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
-    const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
-    s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
-    const Kept kept = s.supported ? kept_of(hats.intervals[e].length, covered_[e], memory.coverage[e]) : Kept{0.0, 0.0};
-    s.fades = s.fades || kept.by_cover > 0.0;
-    const Vec2 past(0.0, memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
-    const Vec2 difference = own - nodes_[j].traction() - kept.value * past;
-    smooth += soft.value * difference;
-    by_own += soft.value;
-    by_neighbour[k] = -soft.value;
-    by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past;
-  }
-  const bool faces_hats = !facing_.empty() && facing_[i].overlap != kNone;
-  if (faces_hats) {
-    s.past_mismatch = {0.0, memory.mismatch[i]};
-    s.beyond = s.support * (own - s.past_mismatch) - s.reach * facing_[i].traction;
-    smooth += mortar.compliance * s.beyond;
-    by_own += mortar.compliance * s.support;
-  }
-  const auto level = [&](int row, double integral) {  // c (integral - Z)
-    out.value(row) = c * (integral - smooth(row));
-    out.by_integral(row) = s.supported ? c : 0.0;
-    out.by_beyond(row) = faces_hats ? -c * mortar.compliance : 0.0;
-    out.by_own(row, row) = -c * c * by_own;
-    for (int k = 0; k < 2; ++k) {
-      out.by_neighbour[k](row, row) = -c * c * by_neighbour[k];
-      out.by_cover[k](row) = -c * by_cover[k](row);
-    }
-  };
-
-  if (!reached_[i]) {  // the whole face has nothing opposite
-    out.value = node.length * own;
-    out.by_own = c * node.length * Mat2::Identity();
-    return;
-  }
-  s.smooth = smooth;
-  s.plastic_slip = s.supported ? s.slip - smooth.y() : 0.0;
-  if (!s.supported) {
-    level(0, 0.0);
-    level(1, 0.0);
-    s.status = s.normal < 0.0 ? Status::Stick : Status::Open;
-    return;
-  }
-  if (conditions == Conditions::Stick) {
-    s.status = Status::Stick;
-    level(0, s.gap);
-    level(1, s.slip);
-    return;
-  }
-  const bool held = memory.status[i] != Status::Open;
-  const double touch = c * surfaces.touch().length * node.length;
-  const double trial = node.length * s.normal + c * (s.gap - smooth.x());
-  if (trial >= (held ? touch : 0.0)) {
-    out.value = node.length * own;
-    out.by_own = c * node.length * Mat2::Identity();
-    return;
-  }
-  level(0, s.gap);
-  const double tangential = node.length * s.tangential + c * (s.slip - smooth.y());
-  if (!held) {
-    s.status = Status::Stick;
-    out.value.y() = node.length * s.tangential;
-    out.by_own(1, 1) = c * node.length;
-  } else if (std::fabs(tangential) <= friction * std::max(0.0, -trial) + touch ||
-             (friction > 0.0 && tangential * s.tangential < 0.0 &&
-              std::fabs(s.tangential) > -0.5 * friction * s.normal && s.normal < 0.0)) {
-    // Who slides against the traction that it bears has to stick before it may slide the other way: without that nodes
-    // would jump from one sense to the other and back. Without friction a traction is rounding and says nothing.
-    s.status = Status::Stick;
-    level(1, s.slip);
-  } else {
-    s.status = Status::Slip;
-    s.slides = std::copysign(1.0, tangential);
-    const double strength = s.slides * friction;
-    out.value.y() = node.length * (s.tangential + strength * s.normal);
-    out.by_own(1, 1) = c * node.length;
-    out.by_own(1, 0) = c * node.length * strength;
-  }
 }
 
 // theory (8.1)

@@ -7,20 +7,28 @@
 #include "cleft/contact/undeformed.hpp"
 
 namespace cleft::contact {
+
 namespace {
 
 constexpr double kVertex = 1e-10;  // both neighbours of a vertex are tried, so that none is lost between them
 constexpr double kClose = 0.25;    // of an element: most partners are nearer, and few faces have to be looked at there
 
+// The normal line of a point, and how far along it a partner may be.
 struct PointRay {
   Vec2 y, t, n;
   double length, reach;
-  Index crack;
+  Index point, crack;
 };
 
 struct Hit {
   Index face = kNone;
   double gap = std::numeric_limits<double>::infinity();
+};
+
+// A free end of a face.
+struct Mouth {
+  Index face;
+  bool at_end;
 };
 
 PointRay ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, double radius) {
@@ -29,7 +37,7 @@ PointRay ray_of(const Surfaces& surfaces, const FacePositions& at, Index p, doub
   const double length = along.norm();
   const Vec2 t = along / length;
   const double sign = surfaces.faces[point.face].normal_sign();
-  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius,
+  return {at.start[point.face] + point.eta * along, t, sign * turn_left(t), length, radius, p,
           surfaces.faces[point.face].crack};
 }
 
@@ -64,6 +72,28 @@ bool same_face(const Surfaces& surfaces, Index f, bool at_end, Index wanted) {
   return f != kNone;
 }
 
+// What the free end of a face makes of the partner found so far, where the point's share lies across it.
+void pass_mouth(const Surfaces& surfaces, const FacePositions& at, const PointRay& ray, const Mouth& mouth, Hit& hit,
+                Pair& pair) {
+  const Point& point = surfaces.points[ray.point];
+  const auto& [f, at_end] = mouth;
+  if (!(at_end ? surfaces.faces[f].free_end : surfaces.faces[f].free_start)) return;
+  double xi = 0.0, gap = 0.0;
+  if (!meets(surfaces, at, ray, f, xi, gap)) return;
+  const Vec2& end = at_end ? at.end[f] : at.start[f];
+  const int direction = direction_of(at, ray, f, at_end);
+  const double overrun = -direction * (ray.y - end).dot(ray.t);
+  if (overrun >= inner_share(point, ray.length, direction)) return;   // wholly past the end
+  if (-overrun >= outer_share(point, ray.length, direction)) return;  // wholly before it
+  const bool past = overrun > 0.0;
+  if (past && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) return;
+  if (past) hit = {f, gap};
+  // a mouth ends the face that is opposite; behind another one it has no say
+  if (!past && !same_face(surfaces, f, at_end, hit.face)) return;
+  pair.mouth_face = f;
+  pair.mouth_at_end = at_end;
+}
+
 }  // namespace
 
 void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositions& out) {
@@ -90,20 +120,7 @@ void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::
 
 void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
                           std::vector<Pair>& pairs) {
-  partners_.clear();
-  mouths_.clear();
-  partner_start_.clear();
-  partner_end_.clear();
-  for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
-    const auto& face = surfaces.faces[f];
-    if (!surfaces.is_partner(face)) continue;
-    partners_.push_back(f);
-    partner_start_.push_back(positions_.start[f]);
-    partner_end_.push_back(positions_.end[f]);
-    if (face.free_start || face.free_end) mouths_.push_back(f);
-  }
-  grid_.build(partner_start_, partner_end_);
-
+  collect_partners(surfaces);
   const double radius =  // theory (6.2)
       surfaces.search_radius > 0.0 ? surfaces.search_radius : std::max(5.0 * surfaces.element_size, 10.0 * deepest);
   const auto nearest = [&](PointRay ray, double reach) {
@@ -119,7 +136,6 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
     return hit;
   };
   for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) {
-    const Point& point = surfaces.points[p];
     Pair& pair = pairs[p];
     pair = Pair{};
     const PointRay ray = ray_of(surfaces, positions_, p, radius);
@@ -127,32 +143,32 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& m
     Hit hit = nearest(ray, std::min(kClose * surfaces.element_size, radius));
     if (hit.face == kNone) hit = nearest(ray, radius);
     for (const Index f : mouths_)
-      for (const bool at_end : {false, true}) {
-        if (!(at_end ? surfaces.faces[f].free_end : surfaces.faces[f].free_start)) continue;
-        double xi = 0.0, gap = 0.0;
-        if (!meets(surfaces, positions_, ray, f, xi, gap)) continue;
-        const Vec2& mouth = at_end ? positions_.end[f] : positions_.start[f];
-        const int direction = direction_of(positions_, ray, f, at_end);
-        const double overrun = -direction * (ray.y - mouth).dot(ray.t);
-        if (overrun >= inner_share(point, ray.length, direction)) continue;   // wholly past the end
-        if (-overrun >= outer_share(point, ray.length, direction)) continue;  // wholly before it
-        const bool past = overrun > 0.0;
-        if (past && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) continue;
-        if (past) hit = {f, gap};
-        // a mouth ends the face that is opposite; behind another one it has no say
-        if (!past && !same_face(surfaces, f, at_end, hit.face)) continue;
-        pair.mouth_face = f;
-        pair.mouth_at_end = at_end;
-      }
+      for (const bool at_end : {false, true}) pass_mouth(surfaces, positions_, ray, {f, at_end}, hit, pair);
     if (hit.face == kNone) {
       pair = Pair{};
       continue;
     }
     pair.partner_face = hit.face;
     pair.anchored = holds_on(surfaces, memory[p], hit.face);
-    pair.state =
-        evaluate(pair_points(surfaces, positions_, p, pair, memory[p]), pair_constants(surfaces, positions_, p, pair));
+    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, memory[p]),
+                          pair_constants(surfaces, positions_, p, pair, memory[p]));
   }
+}
+
+void Search::collect_partners(const Surfaces& surfaces) {
+  partners_.clear();
+  mouths_.clear();
+  partner_start_.clear();
+  partner_end_.clear();
+  for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
+    const auto& face = surfaces.faces[f];
+    if (!surfaces.is_partner(face)) continue;
+    partners_.push_back(f);
+    partner_start_.push_back(positions_.start[f]);
+    partner_end_.push_back(positions_.end[f]);
+    if (face.free_start || face.free_end) mouths_.push_back(f);
+  }
+  grid_.build(partner_start_, partner_end_);
 }
 
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
@@ -166,11 +182,21 @@ PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index 
   return out;
 }
 
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair) {
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                             const Memory& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
-  PairConstants out{surfaces.laws[face.crack], surfaces.touch(),   point.weight,  point.eta, point.share_begin,
-                    point.share_end,           face.normal_sign(), pair.anchored, 0};
+  PairConstants out;
+  out.law = surfaces.laws[face.crack];
+  out.springs = surfaces.springs[face.crack];
+  out.begin = memory.state;
+  out.touch = surfaces.touch();
+  out.weight = point.weight;
+  out.eta = point.eta;
+  out.share_begin = point.share_begin;
+  out.share_end = point.share_end;
+  out.normal_sign = face.normal_sign();
+  out.anchored = pair.anchored;
   if (pair.mouth_face != kNone) {
     const Vec2 own = at.end[point.face] - at.start[point.face];
     const bool along = (at.end[pair.mouth_face] - at.start[pair.mouth_face]).dot(own) > 0.0;

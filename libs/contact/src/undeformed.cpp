@@ -1,7 +1,5 @@
 #include "cleft/contact/undeformed.hpp"
 
-#include <cmath>
-
 namespace cleft::contact {
 namespace {
 
@@ -39,21 +37,23 @@ Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   s.stretch_length = f.length;
   s.normal_gap = d.dot(f.n);
   if (pair.anchored) s.tangential_gap = d.dot(f.t) + (memory.anchor_place - point.eta) * f.length;
-  s.traction = traction(surfaces.laws[face.crack], s.normal_gap, s.tangential_gap, pair.anchored, surfaces.touch());
+  const ContactResponse response =
+      respond(surfaces.laws[face.crack], surfaces.springs[face.crack], {s.normal_gap, s.tangential_gap, pair.anchored},
+              surfaces.touch(), memory.state);
+  s.traction = response.traction;
+  s.stiffness = response.stiffness;
+  s.end = response.end;
   return pair;
 }
 
 PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair) {
   const Point& point = surfaces.points[p];
-  const auto& face = surfaces.faces[point.face];
-  const Law& law = surfaces.laws[face.crack];
-  const FixedFrame f = fixed_frame(face);
+  const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;
-  Mat2 stiffness = law.normal_penalty * f.n * f.n.transpose();  // d t_0 / d jump
-  if (t0.status == Status::Slip)
-    stiffness -= std::copysign(law.friction, t0.tangential) * law.normal_penalty * f.t * f.n.transpose();
-  else if (pair.anchored)
-    stiffness += law.tangential_penalty * f.t * f.t.transpose();
+  const Stiffness& k0 = pair.state.stiffness;
+  Mat2 stiffness = k0.normal * f.n * f.n.transpose();  // d t_0 / d jump
+  if (k0.by_normal != 0.0) stiffness += k0.by_normal * k0.normal * f.t * f.n.transpose();
+  if (k0.tangential != 0.0) stiffness += k0.tangential * f.t * f.t.transpose();
   const std::array<double, 4> weight{point.eta - 1.0, -point.eta, 1.0 - point.eta, point.eta};
   PairForce out;
   out.tangent.setZero();

@@ -26,7 +26,7 @@ struct Joint : Slider {
   HatMemory hats_memory;
 
   explicit Joint(double smoothing = 2.0, NegativeSide side = NegativeSide::Right) : Slider(side) {
-    surfaces.laws[0].friction = kFriction;
+    surfaces.laws[0] = Coulomb{kFriction};
     surfaces.mortar = {{true, 1.0, smoothing, kScale, 1.0 / kScale}};
     std::vector<HatPlan> plan(surfaces.faces.size());
     const double factor = side == NegativeSide::Both ? 0.5 : 1.0;
@@ -138,6 +138,24 @@ TEST(NodeCondition, ClosedNodeThatSticksLeavesNeitherGapNorSlipButForTheSmoothin
     EXPECT_NEAR(m.conditions()[kNode].value.y(), kScale * (node.slip - smooth(joint, place, 1)), 1e-13);
     expect_derivative(joint, place, kNode);
   }
+}
+
+TEST(NodeCondition, SlidingNodeBearsTheStrengthOfItsLaw) {
+  const LimitedCoulomb law{.friction = kFriction, .limit = 0.3};
+  for (const auto side : {NegativeSide::Right, NegativeSide::Both})
+    for (const double along : {-2e-3, 2e-3}) {
+      Joint joint(2.0, side);
+      joint.surfaces.laws[0] = law;
+      const double sense = joint.at(joint.place({along, -2e-5}, -1.0, 0.0)).nodes()[kNode].slip > 0.0 ? 1.0 : -1.0;
+      const Place place = joint.place({along, -2e-5}, -1.0, 0.2 * sense);
+      const auto m = joint.at(place);
+      const auto& node = m.nodes()[kNode];
+      ASSERT_EQ(node.status, Status::Slip);
+      const double strength = 0.3 * (1.0 - std::exp(kFriction * node.normal / 0.3));
+      const double length = joint.surfaces.hats.nodes[kNode].length;
+      EXPECT_NEAR(m.conditions()[kNode].value.y(), length * (node.tangential - sense * strength), 1e-14);
+      expect_derivative(joint, place, kNode);
+    }
 }
 
 TEST(NodeCondition, SlidingNodeBearsFrictionAgainstTheSenseOfItsSlip) {

@@ -14,7 +14,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
   HatMemory before;
 
   HatWork() {
-    s.surfaces.laws[0].friction = kRough;
+    s.surfaces.laws[0] = Coulomb{kRough};
     s.give_hats(0.25);
     before = hats_at_rest(s.surfaces);
   }
@@ -49,6 +49,21 @@ TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressure * 0.03 * 0.97, 1e-12);
 }
 
+TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
+  before.status.assign(before.status.size(), Status::Slip);
+  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  for (auto& state : before.state) state.slip = 0.2;
+  const auto stuck = advanced({0.0, 0.0}, tractions(-kPressure, 0.1)), slid = advanced({0.03, 0.0}, before.multiplier);
+  double length = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < before.state.size(); ++i) {
+    EXPECT_EQ(before.state[i].slip, 0.2);
+    EXPECT_EQ(stuck.memory.state[i].slip, 0.2);
+    length += s.surfaces.hats.nodes[i].length;
+    sum += s.surfaces.hats.nodes[i].length * (slid.memory.state[i].slip - 0.2);
+  }
+  EXPECT_NEAR(sum, 0.03 * 0.97 * length, 1e-12) << "of what is still opposite";
+}
+
 TEST_P(HatWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
   constexpr double kApart = 1e-4;  // how far the faces that bear it are apart
   before.status.assign(before.status.size(), Status::Slip);
@@ -65,7 +80,7 @@ TEST_P(HatWork, OfFacesThatStickIsNothing) {
 }
 
 TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
-  s.surfaces.laws[0].friction = 0.0;
+  s.surfaces.laws[0] = Coulomb{0.0};
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressure, 0.0);
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));

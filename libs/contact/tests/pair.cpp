@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace cleft::contact {
 namespace {
@@ -22,7 +23,8 @@ PairPoints unpack(const Inputs& v) {
 
 PairConstants constants(double sign) {
   PairConstants c;
-  c.law = {3.0, 2.0, 0.3};
+  c.law = Coulomb{0.3};
+  c.springs = {3.0, 2.0};
   c.touch = {1e-14};
   c.weight = 0.7;
   c.eta = 0.21;
@@ -76,19 +78,27 @@ class ContactPair : public testing::TestWithParam<Branch> {};
 
 TEST_P(ContactPair, TangentIsTheDerivativeOfTheForce) {
   const Branch& b = GetParam();
-  for (const double sign : {1.0, -1.0})
-    for (const double angle : {0.0, 0.7, 2.5}) {
-      PairConstants c = constants(sign);
-      c.mouth = b.mouth;
-      c.anchored = b.anchored;
-      const PairPoints p = points(angle, sign, b.anchor_along, b.mouth_along);
-      const PairState s = evaluate(p, c);
-      ASSERT_EQ(s.traction.status, b.status);
-      if (b.mouth != 0) {
-        ASSERT_TRUE(s.ramp > 0.1 && s.ramp < 0.9) << s.ramp;
-      }
-      EXPECT_LT(tangent_error(p, c), 1e-8) << b.name;
+  struct Case {
+    InterfaceLaw law;
+    double sign, angle;
+  };
+  std::vector<Case> cases;
+  for (const InterfaceLaw& law : {InterfaceLaw(Coulomb{0.3}), InterfaceLaw(LimitedCoulomb{0.3, 0.05})})
+    for (const double sign : {1.0, -1.0})
+      for (const double angle : {0.0, 0.7, 2.5}) cases.push_back({law, sign, angle});
+  for (const auto& [law, sign, angle] : cases) {
+    PairConstants c = constants(sign);
+    c.law = law;
+    c.mouth = b.mouth;
+    c.anchored = b.anchored;
+    const PairPoints p = points(angle, sign, b.anchor_along, b.mouth_along);
+    const PairState s = evaluate(p, c);
+    ASSERT_EQ(s.traction.status, b.status);
+    if (b.mouth != 0) {
+      ASSERT_TRUE(s.ramp > 0.1 && s.ramp < 0.9) << s.ramp;
     }
+    EXPECT_LT(tangent_error(p, c), 1e-8) << b.name;
+  }
 }
 
 TEST_P(ContactPair, ForcesAndTheirMomentsAddUpToNothing) {

@@ -20,7 +20,8 @@ struct Layout {
   std::vector<Pair> pairs;
 
   Layout() {
-    surfaces.laws.assign(2, {1.0, 1.0, 0.3});
+    surfaces.laws.assign(2, Coulomb{0.3});
+    surfaces.springs.assign(2, {1.0, 1.0});
     surfaces.sides.assign(2, NegativeSide::Right);
     surfaces.element_size = 1.0;
   }

@@ -21,7 +21,8 @@ struct Slider {
         cut(geometry::cut(mesh, {{"crack", {{0.0, 0.51}, {1.0, 0.51}}}})),
         unknowns(enrichment::number_unknowns(mesh, cut)) {
     surfaces.faces = enrichment::make_faces(mesh, cut, unknowns);
-    surfaces.laws = {{1e3, 2e3, 0.5}};
+    surfaces.laws = {Coulomb{0.5}};
+    surfaces.springs = {{1e3, 2e3}};
     surfaces.sides = {side};
     surfaces.element_size = 0.1;
     surfaces.points = place_points(surfaces, 2);
@@ -30,8 +31,8 @@ struct Slider {
 
   // Mortar contact, with hats on the faces that carry the quadrature.
   void give_hats(double spacing) {
-    const Law& law = surfaces.laws[0];
-    surfaces.mortar = {{true, 1.0, 1.0, law.normal_penalty, 1.0 / law.normal_penalty}};
+    constexpr double kScale = 1e3;
+    surfaces.mortar = {{true, 1.0, 1.0, kScale, 1.0 / kScale}};
     const double factor = surfaces.sides[0] == NegativeSide::Both ? 0.5 : 1.0;
     std::vector<HatPlan> plan(surfaces.faces.size());
     for (std::size_t f = 0; f < plan.size(); ++f)

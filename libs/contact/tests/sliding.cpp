@@ -107,7 +107,7 @@ TEST_P(Sliding, FrictionDissipatesPressureTimesSlip) {
     passing += before != after;
     EXPECT_NEAR(a.friction, 0.5 * 0.03 * 0.5 * (before + after), 1e-12);
     EXPECT_NEAR(a.pressure, stored * (before - after), 1e-12);
-    EXPECT_NEAR(a.memory.slip - s.memory[p].slip, 0.03, 1e-12);
+    EXPECT_NEAR(a.memory.state.slip - s.memory[p].state.slip, 0.03, 1e-12);
   }
   EXPECT_GT(passing, 0) << "the test must see the mouth";
 }

@@ -41,7 +41,7 @@ TEST_P(Undeformed, TractionsFollowTheLawThroughSlidingAndReversal) {
       EXPECT_NEAR(pair.state.traction.tangential, sense * tangential, 1e-12) << along;
     }
     s.commit();
-    for (const auto& memory : s.memory) EXPECT_NEAR(memory.slip, slip, 1e-14) << along;
+    for (const auto& memory : s.memory) EXPECT_NEAR(memory.state.slip, slip, 1e-14) << along;
   };
   expect(0.5 * elastic, Status::Stick, 0.5 * strength, 0.0);
   expect(0.1, Status::Slip, strength, 0.1 - elastic);

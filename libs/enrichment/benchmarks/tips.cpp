@@ -40,11 +40,11 @@ void interaction_integral(benchmark::State& state) {
     const Mat2 gradient = point.deformation(u) - Mat2::Identity();
     return {gradient, body.stress(gradient)};
   };
-  std::vector<enrichment::FacePiece> faces;
+  enrichment::TipLoads loads;
   for (const auto& face : enrichment::make_faces(ball.mesh, ball.cut, ball.unknowns))
-    faces.push_back({face.reference_start, face.reference_end, face.side, Vec2(0.3, -0.4)});
+    loads.faces.push_back({face.reference_start, face.reference_end, face.side, Vec2(0.3, -0.4)});
   for (auto _ : state)
-    benchmark::DoNotOptimize(enrichment::interaction_integral(ball.cut.tips[0], 0, points, computed, faces, body));
+    benchmark::DoNotOptimize(enrichment::interaction_integral(ball.cut.tips[0], 0, points, computed, loads, body));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 BENCHMARK(interaction_integral)->Arg(4)->Arg(10)->Unit(benchmark::kMicrosecond);

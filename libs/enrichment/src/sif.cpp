@@ -95,10 +95,10 @@ Intensities intensities_of_amplitudes(const geometry::TipBall& ball, const std::
 
 // theory (10.5)
 Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const std::vector<TipPoint>& points,
-                                 const std::function<PointState(const TipPoint&)>& state,
-                                 const std::vector<FacePiece>& faces, const PlaneStrain& body, const Vec2& body_force) {
+                                 const std::function<PointState(const TipPoint&)>& state, const TipLoads& loads,
+                                 const PlaneStrain& body) {
   const Neighbourhood around{ball, body, axes(ball)};
-  const Vec2 force = around.axes.transpose() * body_force;
+  const Vec2 force = around.axes.transpose() * loads.body_force;
   std::array<double, 2> integral{};
   for (const TipPoint& point : points) {
     if (point.tip != tip) continue;
@@ -112,7 +112,7 @@ Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const
       integral[m] += point.weight * (flux(here, mode).dot(slope) - q.value * force.dot(mode.gradient.col(0)));
     }
   }
-  for (const FacePiece& piece : faces)
+  for (const FacePiece& piece : loads.faces)
     for (const int m : {0, 1}) integral[m] -= around.work(piece, kModes[m]);
   // E' = E / (1 - nu^2) = 2 mu / (1 - nu)
   const double half_modulus = body.shear_modulus / (1.0 - body.poisson_ratio);

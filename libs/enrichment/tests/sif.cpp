@@ -70,7 +70,7 @@ Intensities found(const Plate& plate, const VecX& u, const std::vector<FacePiece
     const Mat2 H = point.deformation(u) - Mat2::Identity();
     return PointState{H, kBody.stress(H)};
   };
-  return interaction_integral(plate.cut.tips[0], 0, plate.points, state, faces, kBody);
+  return interaction_integral(plate.cut.tips[0], 0, plate.points, state, {faces}, kBody);
 }
 
 TEST(InteractionIntegral, FindsTheIntensitiesOfTheExactField) {
@@ -139,7 +139,7 @@ TEST(InteractionIntegral, ABodyForceCounts) {
     return PointState{H, kBody.stress(H)};
   };
   const auto hanging = [&](const Vec2& force) {
-    return interaction_integral(plate.cut.tips[0], 0, plate.points, state, {}, kBody, force);
+    return interaction_integral(plate.cut.tips[0], 0, plate.points, state, {{}, force}, kBody);
   };
   EXPECT_NEAR(hanging({0.0, -kWeight}).K_I, 0.0, 1e-4);
   EXPECT_NEAR(hanging({0.0, -kWeight}).K_II, 0.0, 1e-4);
@@ -164,7 +164,7 @@ TEST(InteractionIntegral, ClosedFrictionalFacesCountWithTheirTraction) {
     return PointState{H, kBody.stress(H)};
   };
   const auto faces = pieces_of_faces(plate, closed.stress);
-  const auto K = interaction_integral(plate.cut.tips[0], 0, plate.points, state, faces, kBody);
+  const auto K = interaction_integral(plate.cut.tips[0], 0, plate.points, state, {faces}, kBody);
   EXPECT_NEAR(K.K_I, 0.0, 0.001);
   EXPECT_NEAR(K.K_II, 0.5, 0.001);
   const auto without = interaction_integral(plate.cut.tips[0], 0, plate.points, state, {}, kBody);

@@ -8,6 +8,9 @@
 
 namespace cleft::geometry {
 
+CrackError::CrackError(const Crack& crack, std::string problem)
+    : InputError({}, crack.name, std::move(problem)), crack_(crack.name) {}
+
 std::vector<Vec2> sine_curve(const Vec2& start, const Vec2& end, double amplitude, double periods, double tolerance) {
   const double length = (end - start).norm();
   if (!(length > 0.0) || !std::isfinite(length)) throw InputError({}, "end", "must differ from start");

@@ -15,16 +15,16 @@ namespace {
 
 void check_points(const Crack& crack) {
   if (crack.points.size() < 2)
-    throw InputError({}, crack.name, "has fewer than two points; a crack needs at least two");
+    throw CrackError(crack, "has fewer than two points; a crack needs at least two");
   if (!(crack.tip_radius >= 0.0) || !std::isfinite(crack.tip_radius)) {
-    throw InputError({}, crack.name, "has a tip radius that is negative or not finite; allowed: 0 (none) or more");
+    throw CrackError(crack, "has a tip radius that is negative or not finite; allowed: 0 (none) or more");
   }
   for (std::size_t k = 0; k < crack.points.size(); ++k) {
     if (!crack.points[k].allFinite()) {
-      throw InputError({}, crack.name, "point " + std::to_string(k + 1) + " is not finite");
+      throw CrackError(crack, "point " + std::to_string(k + 1) + " is not finite");
     }
     if (k > 0 && crack.points[k] == crack.points[k - 1]) {
-      throw InputError({}, crack.name,
+      throw CrackError(crack,
                        "points " + std::to_string(k) + " and " + std::to_string(k + 1) +
                            " coincide; consecutive points must differ");
     }
@@ -58,24 +58,22 @@ void check_cracks(const std::vector<Crack>& cracks) {
   grid.build(starts, ends);
   for (std::size_t m = 0; m < starts.size(); ++m) {
     const auto [crack, segment] = place[m];
-    const std::string& name = cracks[crack].name;
     grid.near(starts[m], ends[m], [&](Index visited) {
       const auto k = static_cast<std::size_t>(visited);
       if (k <= m) return;
       if (place[k].first == crack && place[k].second == segment + 1) {
         if (folds_back(starts[m], ends[m], ends[k])) {
-          throw InputError({}, name, "folds back on itself at point " + std::to_string(segment + 2));
+          throw CrackError(cracks[crack], "folds back on itself at point " + std::to_string(segment + 2));
         }
         return;
       }
       if (!touch(starts[m], ends[m], starts[k], ends[k])) return;
       if (place[k].first == crack) {
-        throw InputError({}, name,
+        throw CrackError(cracks[crack],
                          "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
                              std::to_string(place[k].second + 1) + " meet, which is not allowed");
       }
-      throw InputError(
-          {}, name,
+      throw CrackError(cracks[crack],
           "crosses or touches crack " + cracks[place[k].first].name + "; cracks must keep clear of each other");
     });
   }

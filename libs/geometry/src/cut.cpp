@@ -15,8 +15,7 @@ namespace cleft::geometry {
 namespace {
 
 [[noreturn]] void winds(const Crack& crack) {
-  throw InputError(
-      {}, crack.name,
+  throw CrackError(crack,
       "winds so tightly that a node or a piece of an element would lie on both of its sides; refine the mesh there");
 }
 
@@ -100,10 +99,9 @@ class Cutter {
   }
 
   [[noreturn]] void too_near(Index one, Index two) const {
-    const std::string &a = cracks_[static_cast<std::size_t>(one)].name,
-                      &b = cracks_[static_cast<std::size_t>(two)].name;
-    throw InputError({}, b,
-                     "cracks " + a + " and " + b +
+    const Crack &a = cracks_[static_cast<std::size_t>(one)], &b = cracks_[static_cast<std::size_t>(two)];
+    throw CrackError(b,
+                     "cracks " + a.name + " and " + b.name +
                          " are too near each other for this mesh: they cut elements with a common node; refine the "
                          "mesh between them");
   }
@@ -117,7 +115,7 @@ class Cutter {
         if (divided && std::find(tip_nodes.begin(), tip_nodes.end(), node) == tip_nodes.end()) return;
       }
     }
-    throw InputError({}, cracks_[static_cast<std::size_t>(c)].name,
+    throw CrackError(cracks_[static_cast<std::size_t>(c)],
                      "is too short for the mesh: no node can open; refine the mesh around it or make it longer");
   }
 

@@ -103,17 +103,19 @@ class Reader {
     std::array<std::uint64_t, 4> count{};
     for (auto& n : count) n = in_.count("a number of entities", 8);
     for (int dimension = 0; dimension < 4; ++dimension)
-      for (std::uint64_t k = 0; k < count[dimension]; ++k) {
-        in_.start_row();
-        const int tag = in_.integer("a tag");
-        for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.real("a coordinate");
-        auto& groups = groups_[{dimension, tag}];
-        const auto physical = in_.count("a number of groups", in_.binary ? 4 : 2);
-        for (std::uint64_t i = 0; i < physical; ++i) groups.push_back(std::abs(in_.integer("a physical group")));
-        if (dimension == 0) continue;
-        const auto bounds = in_.count("a number of bounding entities", in_.binary ? 4 : 2);
-        for (std::uint64_t i = 0; i < bounds; ++i) in_.integer("a bounding entity");
-      }
+      for (std::uint64_t k = 0; k < count[dimension]; ++k) read_entity(dimension);
+  }
+
+  void read_entity(int dimension) {
+    in_.start_row();
+    const int tag = in_.integer("a tag");
+    for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i) in_.real("a coordinate");
+    auto& groups = groups_[{dimension, tag}];
+    const auto physical = in_.count("a number of groups", in_.binary ? 4 : 2);
+    for (std::uint64_t i = 0; i < physical; ++i) groups.push_back(std::abs(in_.integer("a physical group")));
+    if (dimension == 0) return;
+    const auto bounds = in_.count("a number of bounding entities", in_.binary ? 4 : 2);
+    for (std::uint64_t i = 0; i < bounds; ++i) in_.integer("a bounding entity");
   }
 
   void read_old_nodes() {

@@ -30,6 +30,26 @@ bool holds(const Polygon& outer, const Polygon& inner) {
   return outer.bounded_side(*inner.vertices_begin()) == CGAL::ON_BOUNDED_SIDE;
 }
 
+std::string name_of_ring(std::size_t k) { return k == 0 ? "the outline" : fmt::format("hole {}", k); }
+
+// Empty if a ring can be the boundary of a polygon.
+std::string what_is_wrong(const Ring& ring) {
+  if (ring.points.size() < 3) return "has fewer than three points";
+  if (!std::ranges::all_of(ring.points, [](const Vec2& p) { return p.allFinite(); }))
+    return "has a point that is not finite";
+  return polygon_of(ring).is_simple() ? "" : "crosses or touches itself";
+}
+
+// Empty if ring `l`, which is listed before `k` and is the outline if it is the first, and hole `k` may be in one body.
+std::string what_is_wrong(const std::vector<Polygon>& polygons, std::size_t l, std::size_t k) {
+  const Polygon &before = polygons[l], &hole = polygons[k];
+  if (touch(hole, before)) return fmt::format("{} and {} touch", name_of_ring(l), name_of_ring(k));
+  if (l == 0 && !holds(before, hole)) return fmt::format("{} is outside of {}", name_of_ring(k), name_of_ring(l));
+  if (l > 0 && (holds(before, hole) || holds(hole, before)))
+    return fmt::format("{} is not apart from {}", name_of_ring(k), name_of_ring(l));
+  return "";
+}
+
 }  // namespace
 
 Outline box_outline(const std::array<double, 4>& box) {
@@ -56,26 +76,16 @@ bool lies_inside(const Outline& outline, const Vec2& point) {
 }
 
 std::string what_is_wrong(const Outline& outline) {
+  std::vector<Ring> rings = {outline.outer};
+  rings.insert(rings.end(), outline.holes.begin(), outline.holes.end());
   std::vector<Polygon> polygons;
-  const auto name = [](std::size_t k) { return k == 0 ? std::string("the outline") : fmt::format("hole {}", k); };
-  const auto check = [&](const Ring& ring) -> std::string {
-    const std::string who = name(polygons.size());
-    if (ring.points.size() < 3) return who + " has fewer than three points";
-    for (const Vec2& p : ring.points)
-      if (!p.allFinite()) return who + " has a point that is not finite";
-    polygons.push_back(polygon_of(ring));
-    return polygons.back().is_simple() ? "" : who + " crosses or touches itself";
-  };
-  if (auto problem = check(outline.outer); !problem.empty()) return problem;
-  for (const Ring& hole : outline.holes)
-    if (auto problem = check(hole); !problem.empty()) return problem;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    if (const auto problem = what_is_wrong(rings[k]); !problem.empty()) return name_of_ring(k) + ' ' + problem;
+    polygons.push_back(polygon_of(rings[k]));
+  }
   for (std::size_t k = 1; k < polygons.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l) {
-      if (touch(polygons[k], polygons[l])) return fmt::format("{} and {} touch", name(l), name(k));
-      if (l == 0 ? !holds(polygons[0], polygons[k])
-                 : holds(polygons[l], polygons[k]) || holds(polygons[k], polygons[l]))
-        return fmt::format("{} is {} {}", name(k), l == 0 ? "outside of" : "not apart from", name(l));
-    }
+    for (std::size_t l = 0; l < k; ++l)
+      if (auto problem = what_is_wrong(polygons, l, k); !problem.empty()) return problem;
   return "";
 }
 

@@ -10,7 +10,7 @@ namespace cleft::geometry {
 namespace {
 
 [[noreturn]] void too_short(const Crack& crack) {
-  throw InputError({}, crack.name, "is too short for the mesh to open; refine the mesh around it or make it longer");
+  throw CrackError(crack, "is too short for the mesh to open; refine the mesh around it or make it longer");
 }
 
 const EdgeCrossing& at(const Trace& trace, int crossing) { return trace.crossings[static_cast<std::size_t>(crossing)]; }
@@ -23,8 +23,7 @@ void check_way_on(const Crack& crack, const Vec2& reached, int end) {
   for (std::size_t k = 2; k < segments; ++k) {
     const std::size_t other = end == 0 ? k : segments - 1 - k;
     if (segments_meet(nominal, reached, points[other], points[other + 1])) {
-      throw InputError(
-          {}, crack.name,
+      throw CrackError(crack,
           "winds so tightly that its end, led on to an element edge, meets the crack itself; refine the mesh there");
     }
   }
@@ -131,7 +130,7 @@ std::vector<Vec2> kinks_of(const Topology& topology, const Trace& trace, const C
 void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crack, Trace& trace,
                  std::vector<Index>& tip_nodes) {
   if (trace.chains.empty()) {
-    throw InputError({}, crack.name, "lies outside of the body; at least a part of a crack must be inside");
+    throw CrackError(crack, "lies outside of the body; at least a part of a crack must be inside");
   }
   for (Chain& chain : trace.chains) {
     const bool closed_start = chain.kind[0] == CrackEnd::Kind::Tip;
@@ -147,7 +146,7 @@ void settle_tips(const Terrain& terrain, const Tracer& tracer, const Crack& crac
   if (trace.chains.empty()) too_short(crack);
   std::erase_if(trace.chains, [&](const Chain& chain) { return !divides(terrain, trace, crack, chain); });
   if (trace.chains.empty()) {
-    throw InputError({}, crack.name,
+    throw CrackError(crack,
                      "lies outside of the body: it only touches the boundary or runs along it; at least a part of a "
                      "crack must be inside");
   }

@@ -51,28 +51,35 @@ bool inside(const Mesh& mesh, Index t, const Vec2& point) {
   return *std::min_element(values.begin(), values.end()) > -1e-5;
 }
 
+std::string flaw_of_segment(const Mesh& mesh, const CutMesh& cut, const FaceSegment& segment) {
+  Index element = kNone;
+  if (segment.cut == kNone) {
+    const TipBall& ball = cut.tips.at(static_cast<std::size_t>(segment.tip));
+    if (ball.crack != segment.crack) return "segment in another crack's tip element";
+    element = ball.element;
+  } else {
+    element = cut.elements.at(static_cast<std::size_t>(segment.cut)).element;
+    if (cut.elements[static_cast<std::size_t>(segment.cut)].crack != segment.crack)
+      return "segment in another crack's element";
+  }
+  if (segment.start == segment.end) return "segment of no length";
+  if (!inside(mesh, element, segment.start) || !inside(mesh, element, segment.end))
+    return "segment outside of its element";
+  return segment.s_end < segment.s_start ? "arc length runs back" : "";
+}
+
+std::string flaw_of_joint(const FaceSegment& previous, const FaceSegment& segment) {
+  if (previous.end != segment.start || previous.crack != segment.crack) return "segments do not join";
+  return previous.s_end != segment.s_start ? "arc length jumps" : "";
+}
+
 std::string flaw_of_segments(const Mesh& mesh, const CutMesh& cut) {
   for (std::size_t k = 0; k < cut.segments.size(); ++k) {
     const FaceSegment& segment = cut.segments[k];
-    Index element = kNone;
-    if (segment.cut == kNone) {
-      const TipBall& ball = cut.tips.at(static_cast<std::size_t>(segment.tip));
-      if (ball.crack != segment.crack) return "segment in another crack's tip element";
-      element = ball.element;
-    } else {
-      element = cut.elements.at(static_cast<std::size_t>(segment.cut)).element;
-      if (cut.elements[static_cast<std::size_t>(segment.cut)].crack != segment.crack)
-        return "segment in another crack's element";
-    }
-    if (segment.start == segment.end) return "segment of no length";
-    if (!inside(mesh, element, segment.start) || !inside(mesh, element, segment.end))
-      return "segment outside of its element";
-    if (segment.s_end < segment.s_start) return "arc length runs back";
+    if (auto text = flaw_of_segment(mesh, cut, segment); !text.empty()) return text;
     if (!segment.joins_previous) continue;
     if (k == 0) return "first segment joins";
-    const FaceSegment& previous = cut.segments[k - 1];
-    if (previous.end != segment.start || previous.crack != segment.crack) return "segments do not join";
-    if (previous.s_end != segment.s_start) return "arc length jumps";
+    if (auto text = flaw_of_joint(cut.segments[k - 1], segment); !text.empty()) return text;
   }
   return {};
 }

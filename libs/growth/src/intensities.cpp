@@ -163,8 +163,8 @@ Intensities intensities_by_integral(const assembly::Equilibrium& body, Index tip
   };
   auto pieces = tractions(body, ball.crack, R);
   if (is_closed(body, ball)) smooth(ball, pieces);
-  return enrichment::interaction_integral(ball, tip, m.tip_points, state, pieces, body_of(m, tip),
-                                          R.transpose() * body_force(body));
+  return enrichment::interaction_integral(ball, tip, m.tip_points, state,
+                                          {std::move(pieces), R.transpose() * body_force(body)}, body_of(m, tip));
 }
 
 // theory (10.6)

@@ -97,6 +97,7 @@ contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, 
     out.slope[i] = between(memory.slope);
     out.smooth[i] = between(memory.smooth);
     out.mismatch[i] = between(memory.mismatch);
+    out.state[i].slip = (1.0 - share) * memory.state[interval.first].slip + share * memory.state[interval.second].slip;
     out.status[i] = memory.status[share < 0.5 ? interval.first : interval.second];
   }
   for (std::size_t k = 0; k < now.intervals.size(); ++k) {

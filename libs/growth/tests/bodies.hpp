@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
-#include "cleft/assembly/patches.hpp"
-#include "cleft/geometry/delaunay.hpp"
 #include "cleft/growth/evolution.hpp"
+#include "cleft/problem/build.hpp"
 
-namespace cleft::growth::bodies {
+namespace cleft::growth {
+
+using problem::GrowthLaw, problem::HoopStress, problem::Rankine;
+
+namespace bodies {
 
 inline solve::StepControls in_steps(int steps) {
   solve::StepControls controls;
@@ -21,6 +25,30 @@ inline Mat2 rotation(double angle) {
   return R;
 }
 
+/// A material and the kinematics that goes with it.
+struct Solid {
+  problem::MaterialSpec material;
+  problem::Kinematics kinematics = problem::Kinematics::Finite;
+};
+
+inline Solid elastic(problem::Kinematics kinematics, double poisson = 0.25) {
+  problem::MaterialSpec material;
+  material.model = "hencky";
+  material.young = 1e10;
+  material.poisson = poisson;
+  return {material, kinematics};
+}
+
+/// Drucker and Prager's cone with E = 1e10 Pa, nu = 0.25, alpha = 5e7 Pa, hardening 1e9 Pa and beta = b = `slope`.
+inline Solid cone(problem::Kinematics kinematics, double slope) {
+  Solid out = elastic(kinematics);
+  out.material.model = "drucker-prager";
+  out.material.cohesion = 5e7;
+  out.material.friction = out.material.dilatancy = slope;
+  out.material.hardening = 1e9;
+  return out;
+}
+
 /// A square of 1 m, Hencky with E = 1e10 Pa and nu = 0.25, whose bottom is held and whose top moves.
 struct Square {
   std::vector<geometry::Crack> cracks;
@@ -32,54 +60,68 @@ struct Square {
   bool mortar = false;  ///< contact by multipliers instead of springs
   bool f_bar = false;
   double delaunay = 0.0;  ///< size of triangles, metres, of an unstructured mesh; 0: `cells`
-  assembly::Material material = constitutive::Hencky{constitutive::lame(1e10, 0.25)};
+  Solid solid = elastic(problem::Kinematics::Finite);
+  const char* loaded = "";  ///< the part of the boundary that carries a traction, of nothing
+  int max_iterations = problem::SolverSpec{}.max_iterations;
 
-  assembly::Model operator()(const std::vector<geometry::Crack>& grown) const {
-    assembly::Model m;
-    m.mesh = delaunay > 0.0 ? geometry::delaunay_mesh(geometry::box_outline({0, 0, 1, 1}), {delaunay, 0.25, {}})
-                            : geometry::structured_mesh({0, 0, 1, 1}, cells, diagonal);
-    m.cracks = grown;
-    m.cut = geometry::cut(m.mesh, m.cracks);
-    m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
-    m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
-    if (!m.cut.tips.empty()) m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
-    m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
-    m.materials = {material};
-    if (f_bar) m.mate = assembly::pair_cells(m);
-    auto& s = m.surfaces;
-    s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
-    s.element_size = delaunay > 0.0 ? delaunay : 1.0 / cells[0];
-    s.laws.assign(grown.size(), {1e10 / s.element_size, 1e10 / s.element_size, friction});
-    s.sides.assign(grown.size(), contact::NegativeSide::Right);
-    s.undeformed = m.is_small_strain();
-    s.points = contact::place_points(s, 2);
-    if (mortar) {
-      s.mortar.assign(grown.size(), {true, 1.0, 1.0, 1e10 / s.element_size, s.element_size / 1e10});
-      std::vector<contact::HatPlan> plan(s.faces.size());
-      for (std::size_t f = 0; f < plan.size(); ++f)
-        if (s.is_negative(s.faces[f])) plan[f].spacing = s.element_size;
-      s.hats = contact::make_hats(s.faces, plan);
-      s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+  problem::Specification specification(int steps) const {
+    problem::Specification out;
+    out.mesh.kind = mesh();
+    out.materials = {solid.material};
+    out.kinematics = solid.kinematics;
+    out.f_bar = f_bar;
+    for (const auto& crack : cracks) {
+      out.cracks.push_back(interface(crack));
+      out.tip_enrichment = std::max(out.tip_enrichment, crack.tip_radius);
     }
-    const auto hold = [&](const char* on, const Vec2& at_full_load) {
-      auto unknowns = geometry::boundary_nodes(m.mesh, on);
-      for (std::size_t k = 0, nodes = unknowns.size(); k < nodes; ++k)
-        if (m.unknowns.ghost[unknowns[k]] != kNone) unknowns.push_back(m.unknowns.ghost[unknowns[k]]);
-      m.prescribed.push_back(
-          {on, unknowns, {true, true}, [at_full_load, turn = turn](const Vec2& X, geometry::MaybeSide, double load) {
-             return Vec2(rotation(turn * load) * (X + load * at_full_load) - X);
-           }});
-    };
-    hold("bottom", {0, 0});
-    hold("top", top);
-    return m;
+    out.boundaries = {held("bottom", {0.0, 0.0}), held("top", top)};
+    if (*loaded != 0) {
+      problem::TractionSpec traction;
+      traction.on = loaded;
+      out.tractions.push_back(traction);
+    }
+    out.loading.steps = steps;
+    out.solver.max_iterations = max_iterations;
+    return out;
   }
-  assembly::Model operator()() const { return (*this)(cracks); }
 
-  Evolution evolution(const Law& law, int steps) const {
-    std::vector<std::optional<Law>> laws(cracks.size());
-    laws.front() = law;
-    return {(*this)(), in_steps(steps), laws, *this};
+  assembly::Model operator()() const { return problem::build_model(specification(1)); }
+  assembly::Model operator()(const std::vector<geometry::Crack>& grown) const {
+    return problem::recut(specification(1), (*this)(), grown);
+  }
+
+  /// Whose cracks grow by these laws, one entry each. Laws that problem::build_model would refuse are allowed.
+  Evolution evolution(const std::vector<std::optional<GrowthLaw>>& laws, int steps) const {
+    auto out = specification(steps);
+    for (std::size_t k = 0; k < laws.size(); ++k) out.cracks[k].growth = laws[k];
+    return {out, (*this)()};
+  }
+  Evolution evolution(const GrowthLaw& law, int steps) const {
+    return evolution(std::vector{std::optional(law)}, steps);
+  }
+  Evolution stationary(int steps) const { return {specification(steps), (*this)()}; }
+
+ private:
+  std::variant<problem::StructuredMesh, problem::DelaunayMesh, problem::GmshMesh> mesh() const {
+    if (delaunay > 0.0) return problem::DelaunayMesh{geometry::box_outline({0, 0, 1, 1}), delaunay, delaunay, delaunay};
+    return problem::StructuredMesh{{0, 0, 1, 1}, cells, diagonal, {}};
+  }
+  problem::CrackSpec interface(const geometry::Crack& crack) const {
+    problem::CrackSpec out;
+    out.name = crack.name;
+    out.points = crack.points;
+    out.friction = friction;
+    out.mortar.on = mortar;
+    if (!mortar) out.normal_penalty = out.tangential_penalty = 1e10 / (delaunay > 0.0 ? delaunay : 1.0 / cells[0]);
+    return out;
+  }
+  problem::BoundarySpec held(const char* on, const Vec2& at_full_load) const {
+    problem::BoundarySpec out;
+    out.name = out.on = on;
+    out.ux = at_full_load.x();
+    out.uy = at_full_load.y();
+    if (turn != 0.0) out.rotation = {Vec2::Zero(), turn * 180.0 / std::numbers::pi, {}};
+    return out;
   }
 };
 
@@ -115,4 +157,5 @@ inline History run(Evolution& body) {
   return out;
 }
 
-}  // namespace cleft::growth::bodies
+}  // namespace bodies
+}  // namespace cleft::growth

@@ -10,6 +10,7 @@
 #include "bodies.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/geometry/advance.hpp"
+#include "cleft/problem/tip_reach.hpp"
 
 namespace cleft::growth {
 namespace {
@@ -37,7 +38,7 @@ TEST(Rankine, TakesTheLargerPrincipalStressOfAHomogeneousState) {
   const Mat2 s = assembly::stress_of(body.model.materials.front(), F).in_plane;
   const double expected =
       0.5 * (s(0, 0) + s(1, 1)) + std::sqrt(0.25 * std::pow(s(0, 0) - s(1, 1), 2) + s(0, 1) * s(0, 1));
-  const Demand demand = Rankine{2e8, 0.2}.judge(body.equilibrium(), {0, 1});
+  const Demand demand = judge(Rankine{2e8, 0.2}, body.equilibrium(), {0, 1});
   EXPECT_NEAR(demand.stress, expected, 1e-9 * expected);
   EXPECT_NEAR(demand.measure, expected / 2e8, 1e-9);
 }
@@ -47,11 +48,11 @@ TEST(Rankine, TakesTheLargerPrincipalStressOfAHomogeneousState) {
 TEST(Rankine, PullsTheDirectionBack) {
   Mat2 stretch;
   stretch << 1.1, 0.08, 0.08, 0.95;
-  const Vec2 still = Rankine{1e8, 0.2}.judge(Homogeneous(stretch).equilibrium(), {0, 1}).ahead;
+  const Vec2 still = judge(Rankine{1e8, 0.2}, Homogeneous(stretch).equilibrium(), {0, 1}).ahead;
   for (const double angle : {0.3, -0.7, 1.2}) {
     Mat2 turn;
     turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
-    const Vec2 turned = Rankine{1e8, 0.2}.judge(Homogeneous(turn * stretch).equilibrium(), {0, 1}).ahead;
+    const Vec2 turned = judge(Rankine{1e8, 0.2}, Homogeneous(turn * stretch).equilibrium(), {0, 1}).ahead;
     EXPECT_LT((turned - still).norm(), 1e-12) << angle;
   }
 }
@@ -64,7 +65,7 @@ TEST(Rankine, LeadsAlongTheMaterialLineThatTheLargestStressOpens) {
   const Mat2 s = assembly::stress_of(body.model.materials.front(), F).in_plane;
   const double angle = 0.5 * std::atan2(2.0 * s(0, 1), s(0, 0) - s(1, 1));
   const Vec2 n(std::cos(angle), std::sin(angle));
-  const Demand demand = Rankine{1e8, 0.2}.judge(body.equilibrium(), {0, 1});
+  const Demand demand = judge(Rankine{1e8, 0.2}, body.equilibrium(), {0, 1});
   EXPECT_NEAR(n.dot(F * demand.ahead), 0.0, 1e-12);
   EXPECT_GT(demand.ahead.dot(Vec2(1, 0)), 0.0);
 }
@@ -72,7 +73,7 @@ TEST(Rankine, LeadsAlongTheMaterialLineThatTheLargestStressOpens) {
 // Against a sum over a fine grid of points, each with the stress of the cell that holds it.
 TEST(Rankine, IsTheMeanOverTheDisc) {
   auto square = bodies::edge_crack();
-  Evolution body(square(), bodies::in_steps(1));
+  Evolution body = square.stationary(1);
   ASSERT_FALSE(bodies::run(body).failure);
   const auto e = body.stepper().equilibrium();
   const auto& m = e.model;
@@ -105,7 +106,7 @@ TEST(Rankine, IsTheMeanOverTheDisc) {
     ASSERT_GT(inside, 1000);
     const Mat2 s = sum / static_cast<double>(inside);
     const double expected = 0.5 * s.trace() + std::hypot(0.5 * (s(0, 0) - s(1, 1)), s(0, 1));
-    EXPECT_NEAR(Rankine({1e8, radius}).judge(e, {0, 1}).stress, expected, 5e-4 * expected) << radius;
+    EXPECT_NEAR(judge(Rankine({1e8, radius}), e, {0, 1}).stress, expected, 5e-4 * expected) << radius;
   }
 }
 
@@ -115,8 +116,8 @@ TEST(Rankine, WantsADiscLargerThanAnElement) {
     auto square = bodies::edge_crack();
     square.cracks[0].tip_radius = ball;
     const auto model = square();
-    EXPECT_FALSE(spans_elements(model, {0, 1}, 0.0398)) << ball;
-    EXPECT_TRUE(spans_elements(model, {0, 1}, 0.0401)) << ball;
+    EXPECT_FALSE(problem::spans_elements(model, 0, 1, 0.0398)) << ball;
+    EXPECT_TRUE(problem::spans_elements(model, 0, 1, 0.0401)) << ball;
   }
 }
 
@@ -126,10 +127,10 @@ TEST(Rankine, IsSmoothInTheRadiusWithinTheBallOfATip) {
   auto square = bodies::edge_crack();
   square.cracks[0].tip_radius = 0.25;
   square.cells = {20, 20};
-  Evolution body(square(), bodies::in_steps(1));
+  Evolution body = square.stationary(1);
   ASSERT_FALSE(bodies::run(body).failure);
   const auto e = body.stepper().equilibrium();
-  const auto stress = [&](double radius) { return Rankine({1e8, radius}).judge(e, {0, 1}).stress; };
+  const auto stress = [&](double radius) { return judge(Rankine({1e8, radius}), e, {0, 1}).stress; };
   for (double r = 0.08; r < 0.22; r += 0.01) {
     const double ratio = stress(r) / stress(r + 0.001);
     EXPECT_GT(ratio, 1.0) << r;
@@ -170,9 +171,9 @@ TEST(HoopStress, OfAnOpenCrackLeadsStraightOn) {
   square.cracks[0].tip_radius = 0.2;
   square.cells = {20, 20};
   square.diagonal = geometry::Diagonal::Alternating;
-  Evolution body(square(), bodies::in_steps(1));
+  Evolution body = square.stationary(1);
   ASSERT_FALSE(bodies::run(body).failure);
-  const Demand demand = HoopStress{1e7}.judge(body.stepper().equilibrium(), {0, 1});
+  const Demand demand = judge(HoopStress{1e7}, body.stepper().equilibrium(), {0, 1});
   EXPECT_GT(demand.intensities.K_I, 1e7);
   EXPECT_NEAR(demand.measure, demand.intensities.K_I / 1e7, 0.01 * demand.measure);
   EXPECT_NEAR(std::atan2(demand.ahead.y(), demand.ahead.x()) / kDegree, 0.0, 3.0);
@@ -188,9 +189,9 @@ bodies::Square enriched_edge_crack(double length) {
 
 TEST(HoopStress, HasNoAnswerWithinHalfAnElementOfTheBoundary) {
   for (const double length : {0.95, 0.98}) {  // 0.8 and 0.32 elements away
-    Evolution body(enriched_edge_crack(length)(), bodies::in_steps(1));
+    Evolution body = enriched_edge_crack(length).stationary(1);
     ASSERT_FALSE(bodies::run(body).failure);
-    const Demand demand = HoopStress{1e7}.judge(body.stepper().equilibrium(), {0, 1});
+    const Demand demand = judge(HoopStress{1e7}, body.stepper().equilibrium(), {0, 1});
     EXPECT_NEAR(demand.elements, (1.0 - length) * 16.0, 1e-9);
     EXPECT_EQ(std::isnan(demand.measure), length > 0.96);
     EXPECT_EQ(std::isnan(demand.intensities.K_I), length > 0.96);
@@ -198,7 +199,7 @@ TEST(HoopStress, HasNoAnswerWithinHalfAnElementOfTheBoundary) {
     const auto history = bodies::run(grows);
     EXPECT_EQ(history.failure.has_value(), length > 0.96);
     if (history.failure) {
-      EXPECT_NE(history.failure->place.find(HoopStress::kNoAnswer), std::string::npos);
+      EXPECT_NE(history.failure->place.find("too near for stress intensities"), std::string::npos);
     }
   }
 }

@@ -13,8 +13,8 @@ namespace {
 
 using bodies::edge_crack;
 
-Law rankine(double strength, double advance, int most = 1000) {
-  Law law{Rankine{strength, 0.12}};
+GrowthLaw rankine(double strength, double advance, int most = 1000) {
+  GrowthLaw law{Rankine{strength, 0.12}};
   law.advance = advance;
   law.most = most;
   return law;
@@ -22,7 +22,7 @@ Law rankine(double strength, double advance, int most = 1000) {
 
 TEST(Evolution, WithoutALawIsTheLoadStepper) {
   const auto square = edge_crack();
-  Evolution body(square(), bodies::in_steps(4));
+  Evolution body = square.stationary(4);
   const auto run = bodies::run(body);
   const assembly::Model model = square();
   solve::LoadStepper stepper(model, bodies::in_steps(4));
@@ -49,19 +49,19 @@ TEST(Evolution, FindsTheLoadOfGrowthWhateverTheIncrements) {
 }
 
 TEST(Evolution, SaysThatWhatHasGrownCannotBeCut) {
-  const auto refuse = [](const std::vector<geometry::Crack>&) -> assembly::Model {
-    throw InputError({}, "main", "is not welcome");
-  };
-  Evolution body(edge_crack()(), bodies::in_steps(20), {rankine(6e7, 0.1, 1)}, refuse);
+  auto square = edge_crack();
+  square.cracks[0].tip_radius = 0.2;
+  square.loaded = "right";  // which the ball of the tip must not reach
+  Evolution body = square.evolution(rankine(6e7, 0.5, 1), 20);
   const auto run = bodies::run(body);
   ASSERT_TRUE(run.failure);
   EXPECT_EQ(run.failure->kind, assembly::FailureKind::Refused);
-  EXPECT_NE(assembly::describe(*run.failure).find("is not welcome"), std::string::npos);
+  EXPECT_NE(assembly::describe(*run.failure).find("reaches the boundary 'right'"), std::string::npos);
 }
 
 TEST(Evolution, GrowsAtOneAndHardlyBeyondIt) {
   for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
-    Law law = rankine(6e7, 0.1, 1);
+    GrowthLaw law = rankine(6e7, 0.1, 1);
     law.load_tolerance = tolerance;
     Evolution body = edge_crack().evolution(law, 3);
     double below = 0.0;
@@ -122,12 +122,12 @@ Step first_growth(Evolution& body) {
 }
 
 TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
-  Law law = rankine(6e7, 0.1, 1);
+  GrowthLaw law = rankine(6e7, 0.1, 1);
   Evolution tried = turning_crack().evolution(law, 4);
   const Step once = first_growth(tried);
   ASSERT_EQ(once.advances.size(), 1u);
   const Vec2 before = once.advances[0].demand.ahead;
-  const Vec2 after = std::get<Rankine>(law.criterion).judge(tried.stepper().equilibrium(), {0, 1}).ahead;
+  const Vec2 after = judge(std::get<Rankine>(law.criterion), tried.stepper().equilibrium(), {0, 1}).ahead;
   ASSERT_GT((after - before).norm(), 0.01);
 
   law.correct_direction = true;
@@ -142,19 +142,33 @@ TEST(Evolution, CorrectsTheDirectionByThatAskedForAtTheEndOfAnAdvance) {
 }
 
 TEST(Evolution, GoesTheFirstWayWhereTheCorrectedOneIsBarred) {
-  Law law = rankine(6e7, 0.1, 1);
-  const auto square = turning_crack();
+  GrowthLaw law = rankine(6e7, 0.1, 1);
+  auto square = turning_crack();
+  square.cracks[0].tip_radius = 0.4;
+  for (double y : {0.512, 0.537}) for (double r = 0.39; r < 0.45; r += 0.0004) {
+    auto sq = turning_crack(); sq.cracks[0].tip_radius = r; sq.cracks[0].points={{0.0,y},{0.46,y}};
+    sq.loaded = "bottom"; law.correct_direction=false;
+    try {
+    Evolution plain = sq.evolution(law, 4);
+    const Step f = first_growth(plain);
+    if (f.advances.empty()) break;
+    law.correct_direction=true;
+    Evolution c = sq.evolution(law, 4);
+    const Step g = first_growth(c);
+    sq.loaded = "";
+    Evolution d = sq.evolution(law, 4);
+    const Step h = first_growth(d);
+    std::printf("%g: %g %g | %g %g | %g %g\n", r, f.advances[0].point.x(), f.advances[0].point.y(), g.advances[0].point.x(), g.advances[0].point.y(), h.advances[0].point.x(), h.advances[0].point.y());
+    if ((g.advances[0].point-h.advances[0].point).norm()>1e-4) std::printf("FOUND\n");
+    } catch (std::exception& e) { std::printf("%s\n", e.what()); break; }
+  }
+  square.loaded = "right";
+  law.correct_direction=false;
   Evolution plain = square.evolution(law, 4);
   const Step first = first_growth(plain);
   law.correct_direction = true;
-  int cuts = 0;
-  const auto once = [&](const std::vector<geometry::Crack>& cracks) {
-    if (++cuts > 1) throw InputError({}, "main", "is barred");
-    return square(cracks);
-  };
-  Evolution body(square(), bodies::in_steps(4), {law}, once);
+  Evolution body = square.evolution(law, 4);
   const Step step = first_growth(body);
-  EXPECT_EQ(cuts, 2);
   ASSERT_EQ(step.advances.size(), 1u);
   EXPECT_EQ(step.advances[0].point, first.advances.at(0).point);
   EXPECT_EQ(body.model().cracks[0].points.back(), step.advances[0].point);
@@ -232,7 +246,7 @@ TEST(Evolution, SetsFreeTheDifferenceOfTwoStationaryCracks) {
   closed.friction = 0.0;
   closed.top = {0.0, -0.01};
   for (const auto& [square, strength, radius] : {std::tuple{open, 6e7, 0.12}, std::tuple{closed, 1e6, 0.06}}) {
-    Law law{Rankine{strength, radius}};
+    GrowthLaw law{Rankine{strength, radius}};
     law.advance = 0.1;
     law.most = 1;
     Evolution body = square.evolution(law, 10);
@@ -265,9 +279,8 @@ TEST(Evolution, SettlesBitByBitToTheSameEnd) {
   VecX displacement[2];
   double released[2];
   for (const int k : {0, 1}) {
-    auto controls = bodies::in_steps(400);
-    if (k == 1) controls.newton.max_iterations = 3;
-    Evolution body(square(), controls, {rankine(1.2e8, 0.3, 1)}, square);
+    if (k == 1) square.max_iterations = 3;
+    Evolution body = square.evolution(rankine(1.2e8, 0.3, 1), 400);
     Step grown;
     while (grown.advances.empty()) {
       ASSERT_LT(body.stepper().state().load, 1.0);
@@ -293,12 +306,8 @@ TEST(Evolution, SmallAndFiniteStrainAgreeWhereTheStrainIsSmall) {
     bodies::Square square{.cracks = {{"main", {{0.3, 0.29}, {0.7, 0.69}}}}};
     square.cells = {20, 20};
     square.top = {0.0, -1e-4};
-    const auto constants = constitutive::lame(1e10, 0.3);
-    if (small)
-      square.material = constitutive::LinearElastic{constants};
-    else
-      square.material = constitutive::Hencky{constants};
-    Law law{Rankine{1e4, 0.07}};
+    square.solid = bodies::elastic(small ? problem::Kinematics::Small : problem::Kinematics::Finite, 0.3);
+    GrowthLaw law{Rankine{1e4, 0.07}};
     law.advance = 0.09;
     law.most = 2;
     Evolution body = square.evolution(law, 10);
@@ -308,7 +317,7 @@ TEST(Evolution, SmallAndFiniteStrainAgreeWhereTheStrainIsSmall) {
     load.push_back(run.loads_of_growth().back());
     const auto& state = body.stepper().state();
     double most = 0.0;
-    for (const auto& memory : state.history.contact) most = std::max(most, memory.slip);
+    for (const auto& memory : state.history.contact) most = std::max(most, memory.state.slip);
     slip.push_back(most);
     friction.push_back(state.energies.friction_dissipation);
     released.push_back(state.energies.released);
@@ -321,7 +330,7 @@ TEST(Evolution, SmallAndFiniteStrainAgreeWhereTheStrainIsSmall) {
 }
 
 TEST(Evolution, ARestoredRunGoesOnBitForBit) {
-  Law law = rankine(6e7, 0.08, 3);
+  GrowthLaw law = rankine(6e7, 0.08, 3);
   const auto square = edge_crack();
   Evolution whole = square.evolution(law, 6);
   std::vector<Step> steps;
@@ -351,7 +360,7 @@ TEST(Evolution, ARestoredRunGoesOnBitForBit) {
 TEST(Evolution, OnlyTheTipsThatMayGrowDo) {
   auto square = edge_crack();
   square.cracks[0].points = {{0.3, 0.512}, {0.7, 0.512}};
-  Law law = rankine(5e7, 0.08, 2);
+  GrowthLaw law = rankine(5e7, 0.08, 2);
   law.tips = {true, false};
   Evolution body = square.evolution(law, 5);
   const auto run = bodies::run(body);
@@ -366,8 +375,8 @@ TEST(Evolution, ATipWithoutAnAnswerEndsTheRunWhateverTheOthersSay) {
   auto square = edge_crack();
   square.cracks[0].points = {{0.3, 0.512}, {0.7, 0.512}};
   square.cracks.insert(square.cracks.begin(), {"mute", {{0.1, 0.2}, {0.35, 0.2}}});
-  const std::vector<std::optional<Law>> laws{Law{Rankine{6e7, 1e-4}}, rankine(5e7, 0.08, 2)};
-  Evolution body(square(), bodies::in_steps(4), laws, square);
+  const std::vector<std::optional<GrowthLaw>> laws{GrowthLaw{Rankine{6e7, 1e-4}}, rankine(5e7, 0.08, 2)};
+  Evolution body = square.evolution(laws, 4);
   const auto run = bodies::run(body);
   ASSERT_TRUE(run.failure);
   EXPECT_NE(run.failure->place.find("crack 'mute', start: the disc around the tip is smaller"), std::string::npos);
@@ -378,7 +387,7 @@ TEST(Evolution, FailsInWordsWhereAnElementIsLargerThanTheDisc) {
   for (const double ball : {0.0, 0.2}) {
     auto square = edge_crack();
     square.cracks[0].tip_radius = ball;
-    Law law{Rankine{6e7, 0.03}};
+    GrowthLaw law{Rankine{6e7, 0.03}};
     law.advance = 0.1;
     Evolution body = square.evolution(law, 2);
     const auto run = bodies::run(body);

@@ -34,10 +34,14 @@ TEST(HatTransfer, ToTheSameCrackChangesNothing) {
   EXPECT_LT((after.history.hats.multiplier - before.multiplier).norm(), 1e-12 * before.multiplier.norm());
   EXPECT_LT((after.displacement - slid.state.displacement).norm(), 1e-14);
   EXPECT_EQ(after.history.hats.slope.size(), before.slope.size());
+  double most = 0.0;
   for (std::size_t i = 0; i < before.slope.size(); ++i) {
     EXPECT_NEAR(after.history.hats.slope[i], before.slope[i], 1e-12);
     EXPECT_NEAR(after.history.hats.smooth[i], before.smooth[i], 1e-20);
+    EXPECT_NEAR(after.history.hats.state[i].slip, before.state[i].slip, 1e-15);
+    most = std::max(most, before.state[i].slip);
   }
+  EXPECT_GT(most, 1e-6) << "nodes must have slid";
   EXPECT_EQ(after.history.hats.stored, before.stored);
   ASSERT_EQ(after.history.hats.trails.size(), before.trails.size());
   for (std::size_t k = 0; k < before.trails.size(); ++k) {

@@ -16,25 +16,23 @@ namespace {
 
 using assembly::Model;
 
-const constitutive::DruckerPrager kPatchedRock{constitutive::lame(1e10, 0.25), 5e7, 0.3, 0.3, 1e9};
-
 struct PatchedKind {
   const char* name;
-  assembly::Material material;
+  bodies::Solid solid;
   double delaunay = 0.0;
 };
 std::ostream& operator<<(std::ostream& out, const PatchedKind& kind) { return out << kind.name; }
 
 bodies::Square square_of(const PatchedKind& kind) {
   auto square = bodies::edge_crack();
-  square.material = kind.material;
+  square.solid = kind.solid;
   square.delaunay = kind.delaunay;
   square.f_bar = true;
   return square;
 }
 
-Law stress_reaches(double strength, double advance, int most) {
-  Law law{Rankine{strength, 0.12}};
+GrowthLaw stress_reaches(double strength, double advance, int most) {
+  GrowthLaw law{Rankine{strength, 0.12}};
   law.advance = advance;
   law.most = most;
   return law;
@@ -162,13 +160,13 @@ TEST_P(GrowingPatches, KeepTheirPlasticVolumeTogetherAndWhatHasNotFlowed) {
   EXPECT_NEAR(is, was, (s.before.is_small_strain() ? 5e-4 : 5e-3) * std::fabs(was));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, GrowingPatches,
-                         testing::Values(PatchedKind{"small", constitutive::SmallPlastic{kPatchedRock}},
-                                         PatchedKind{"finite", constitutive::FinitePlastic{kPatchedRock}},
-                                         PatchedKind{"small_delaunay", constitutive::SmallPlastic{kPatchedRock}, 0.1},
-                                         PatchedKind{"finite_delaunay", constitutive::FinitePlastic{kPatchedRock},
-                                                     0.1}),
-                         [](const auto& kind) { return kind.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, GrowingPatches,
+    testing::Values(PatchedKind{"small", bodies::cone(problem::Kinematics::Small, 0.3)},
+                    PatchedKind{"finite", bodies::cone(problem::Kinematics::Finite, 0.3)},
+                    PatchedKind{"small_delaunay", bodies::cone(problem::Kinematics::Small, 0.3), 0.1},
+                    PatchedKind{"finite_delaunay", bodies::cone(problem::Kinematics::Finite, 0.3), 0.1}),
+    [](const auto& kind) { return kind.param.name; });
 
 // By element and side.
 using Pairs = std::map<std::pair<Index, int>, std::pair<Index, int>>;
@@ -185,7 +183,7 @@ Pairs pairs_of(const Model& m) {
 // A crack that grows leaves the patches that it does not cut as they are.
 TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
   for (const double size : {0.1, 0.05, 0.03}) {
-    auto square = square_of({"", constitutive::SmallPlastic{kPatchedRock}, size});
+    auto square = square_of({"", bodies::cone(problem::Kinematics::Small, 0.3), size});
     const Model before = square(), after = square({geometry::extended(square.cracks[0], 1, {0.45, 0.56})});
     const auto was = pairs_of(before), is = pairs_of(after);
     int stay = 0;
@@ -205,7 +203,7 @@ TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
 // Elastic: what an advance sets free is the difference of two stationary cracks, however their patches are made.
 TEST(GrowingPatches, SetFreeTheDifferenceOfTwoStationaryCracks) {
   for (const double size : {0.0, 0.07}) {
-    auto square = square_of({"", constitutive::Hencky{constitutive::lame(1e10, 0.25)}, size});
+    auto square = square_of({"", bodies::elastic(problem::Kinematics::Finite), size});
     Evolution body = square.evolution(stress_reaches(6e7, 0.1, 1), 10);
     const auto run = bodies::run(body);
     ASSERT_EQ(run.advances().size(), 1u);

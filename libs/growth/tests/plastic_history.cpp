@@ -16,13 +16,11 @@ using assembly::Model;
 using constitutive::FinitePlastic, constitutive::SmallPlastic, constitutive::PlasticState;
 using Plastic = std::vector<PlasticState>;
 
-const constitutive::DruckerPrager kRock{constitutive::lame(1e10, 0.25), 5e7, 0.1, 0.1, 1e9};
-
 constexpr Index kEnd = 106;  // the triangle in which the crack ends before it grows
 
 struct Kind {
   const char* name;
-  assembly::Material material;
+  bodies::Solid solid;
   double ball = 0.0;  // tip radius, metres
 };
 std::ostream& operator<<(std::ostream& out, const Kind& kind) { return out << kind.name; }
@@ -36,7 +34,7 @@ struct Torn {
 
   explicit Torn(const Kind& kind, bool mirrored = false) {
     const auto at = [&](double x, double y) { return Vec2(mirrored ? 1.0 - x : x, y); };
-    square.material = kind.material;
+    square.solid = kind.solid;
     square.cracks = {{"main", {at(0.0, 0.502), at(0.368, 0.502)}, kind.ball}};
     square.top = {mirrored ? -0.004 : 0.004, 0.008};
     if (mirrored) square.diagonal = geometry::Diagonal::Right;
@@ -71,8 +69,8 @@ std::array<double, 4> logarithm(const PlasticState& state) {
   return {mean + lean, mean - lean, scale * xy, std::log1p(zz)};
 }
 
-std::vector<Measure> what_is_kept(const assembly::Material& material) {
-  const bool finite = std::holds_alternative<FinitePlastic>(material);
+std::vector<Measure> what_is_kept(const bodies::Solid& solid) {
+  const bool finite = solid.kinematics == problem::Kinematics::Finite;
   std::vector<Measure> kept{accumulated};
   for (std::size_t k = 0; k < 4; ++k)
     kept.push_back(
@@ -98,7 +96,7 @@ class TornBody : public testing::TestWithParam<Kind> {};
 TEST_P(TornBody, KeepsTheIntegralsOfItsPlasticHistory) {
   const Torn s(GetParam());
   EXPECT_GE(torn_cells_that_flow(s), 3);
-  for (const auto& measure : what_is_kept(GetParam().material)) {
+  for (const auto& measure : what_is_kept(GetParam().solid)) {
     const VecX before = integrals(s.before, s.state.history.plastic, measure),
                after = integrals(s.after, s.handed_on.history.plastic, measure);
     EXPECT_NEAR(after.sum(), before.sum(), 1e-12 * before.cwiseAbs().sum());
@@ -155,7 +153,7 @@ Plastic invented(const Model& model, bool mirrored) {
 
 TEST(PlasticHistory, OfABallThatStaysIsKeptToTheLastBit) {
   bodies::Square square{.cracks = {{"main", {{0.3, 0.52}, {0.7, 0.49}}, 0.13}}};
-  square.material = FinitePlastic{kRock};
+  square.solid = bodies::cone(problem::Kinematics::Finite, 0.1);
   const Model before = square(), after = square({geometry::extended(square.cracks[0], 1, {0.8, 0.55})});
   auto state = assembly::state_at_rest(before);
   state.history.plastic = invented(before, false);
@@ -206,7 +204,7 @@ TEST_P(TornBody, HandsOnTheMirrorImageInAMirror) {
 }
 
 TEST(PlasticHistory, IsTheMeanOverTheAreasInCommon) {
-  Torn s({"small_strain", SmallPlastic{kRock}});
+  Torn s({"small_strain", bodies::cone(problem::Kinematics::Small, 0.1)});
   s.state.history.plastic = invented(s.before, false);
   const auto plastic = transfer(s.before, s.state, s.after).history.plastic;
   const auto cell = [](const Model& m, geometry::Side side) {
@@ -231,12 +229,13 @@ TEST(PlasticHistory, IsTheMeanOverTheAreasInCommon) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, TornBody,
-                         testing::Values(Kind{"small_strain", SmallPlastic{kRock}},
-                                         Kind{"small_strain_with_branch_functions", SmallPlastic{kRock}, 0.17},
-                                         Kind{"finite_strain", FinitePlastic{kRock}},
-                                         Kind{"finite_strain_with_branch_functions", FinitePlastic{kRock}, 0.17}),
-                         [](const auto& kind) { return kind.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, TornBody,
+    testing::Values(Kind{"small_strain", bodies::cone(problem::Kinematics::Small, 0.1)},
+                    Kind{"small_strain_with_branch_functions", bodies::cone(problem::Kinematics::Small, 0.1), 0.17},
+                    Kind{"finite_strain", bodies::cone(problem::Kinematics::Finite, 0.1)},
+                    Kind{"finite_strain_with_branch_functions", bodies::cone(problem::Kinematics::Finite, 0.1), 0.17}),
+    [](const auto& kind) { return kind.param.name; });
 
 }  // namespace
 }  // namespace cleft::growth

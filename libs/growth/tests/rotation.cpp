@@ -53,7 +53,7 @@ struct Loaded {
 class TurnedBody : public testing::TestWithParam<Loaded> {};
 
 TEST_P(TurnedBody, HasTheSameIntensities) {
-  Evolution evolution(GetParam().square(), bodies::in_steps(4));
+  Evolution evolution = GetParam().square.stationary(4);
   ASSERT_FALSE(bodies::run(evolution).failure);
   const Equilibrium body = evolution.stepper().equilibrium();
   const auto still = intensities(body);
@@ -87,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(All, TurnedBody,
 // At small strain turns add up, and one may be much larger than the strains.
 TEST(TurnedBody, HasTheSameIntensitiesAfterAnInfinitesimalTurn) {
   auto square = inner_crack({5e-4, 5e-4});
-  square.material = constitutive::LinearElastic{constitutive::lame(1e10, 0.25)};
-  Evolution evolution(square(), bodies::in_steps(1));
+  square.solid = bodies::elastic(problem::Kinematics::Small);
+  Evolution evolution = square.stationary(1);
   ASSERT_FALSE(bodies::run(evolution).failure);
   const Equilibrium body = evolution.stepper().equilibrium();
   const auto still = intensities(body);
@@ -107,7 +107,7 @@ TEST(TurnedBody, IsSolvedToTheSameIntensities) {
     std::vector<Intensities> still;
     for (const double degrees : {0.0, 30.0, -90.0}) {
       square.turn = degrees * kPerDegree;
-      Evolution evolution(square(), bodies::in_steps(8));
+      Evolution evolution = square.stationary(8);
       ASSERT_FALSE(bodies::run(evolution).failure);
       const auto now = intensities(evolution.stepper().equilibrium());
       if (still.empty()) still = now;
@@ -126,7 +126,7 @@ TEST(MirroredBody, SlidesTheOtherWay) {
       square.top.x() = -square.top.x();
       square.diagonal = geometry::Diagonal::Right;
     }
-    Evolution evolution(square(), bodies::in_steps(2));
+    Evolution evolution = square.stationary(2);
     ASSERT_FALSE(bodies::run(evolution).failure);
     seen.push_back(intensities(evolution.stepper().equilibrium()));
   }
@@ -148,12 +148,13 @@ TEST(TurnedBody, DoesNotGrowUnlessItIsLoaded) {
 }
 
 TEST(TurnedBody, GrowsAlongTheSamePathAtTheSameLoads) {
-  for (const Criterion& criterion : {Criterion(HoopStress{2e7}), Criterion(Rankine{5e7, 0.12})}) {
+  for (const problem::GrowthCriterion& criterion :
+       {problem::GrowthCriterion(HoopStress{2e7}), problem::GrowthCriterion(Rankine{5e7, 0.12})}) {
     auto square = inner_crack({6e-3, 6e-3});
     std::vector<Advance> still;
     for (const double degrees : {0.0, 60.0, -90.0}) {
       square.turn = degrees * kPerDegree;
-      Evolution body = square.evolution({.criterion = criterion, .advance = 0.08, .most = 2}, 10);
+      Evolution body = square.evolution(GrowthLaw{.criterion = criterion, .advance = 0.08, .most = 2}, 10);
       const auto history = bodies::run(body);
       ASSERT_FALSE(history.failure) << assembly::describe(*history.failure);
       const auto advances = history.advances();

@@ -24,11 +24,10 @@ geometry::CutMesh cut_located(const Specification& scene, const geometry::Mesh& 
                               const std::vector<geometry::Crack>& cracks) {
   try {
     return geometry::cut(mesh, cracks);
-  } catch (const InputError& error) {
-    for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-      if (scene.cracks[k].name == error.key())
-        throw InputError(scene.cracks[k].at, fmt::format("crack[{}] '{}'", k, error.key()), error.problem());
-    throw;
+  } catch (const geometry::CrackError& error) {
+    const auto crack = std::ranges::find(scene.cracks, error.crack(), &CrackSpec::name);
+    if (crack == scene.cracks.end()) throw;
+    throw InputError(crack->at, crack->at.part("crack", crack->name), error.problem());
   }
 }
 
@@ -42,16 +41,22 @@ double largest_poisson(const Specification& scene) {
 // they cannot answer to is held at nothing by it, and else it is the compliance of a millionth of an element.
 constexpr double kLeastSmoothing = 1e-6;
 
+// Stiffness of both methods of contact: it is a property of the crack, and a later cut of the same crack keeps it.
+struct ContactScales {
+  std::vector<contact::Springs> springs;
+  std::vector<contact::Mortar> mortar;
+};
+
 // Stiffness of mortar contact and its hats.
-void set_up_hats(const Specification& scene, const std::vector<double>& scale, assembly::Model& m) {
+void set_up_hats(const Specification& scene, const std::vector<double>& scale, const ContactScales& earlier,
+                 assembly::Model& m) {
   auto& s = m.surfaces;
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     auto mortar = scene.cracks[k].mortar;
     if (mortar.on) {
-      mortar.scale = scale.empty() ? s.laws[k].normal_penalty : scale[k] / (1.0 + largest_poisson(scene));
+      mortar.scale = scale.empty() ? earlier.mortar[k].scale : scale[k] / (1.0 + largest_poisson(scene));
       mortar.compliance = 1.0 / mortar.scale;
       mortar.smoothing = std::max(mortar.smoothing, kLeastSmoothing);
-      s.laws[k].normal_penalty = s.laws[k].tangential_penalty = mortar.scale;
     }
     s.mortar.push_back(mortar);
   }
@@ -68,25 +73,31 @@ void set_up_hats(const Specification& scene, const std::vector<double>& scale, a
   s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
 }
 
-// With the laws of an earlier cut of the same cracks, where there is one: the penalty is a property of the crack.
-void set_up_contact(const Specification& scene, const std::vector<contact::Law>& earlier, assembly::Model& m) {
+// None with mortar contact.
+contact::Springs springs_of(const CrackSpec& spec, double scale) {
+  if (spec.mortar.on) return {};
+  return {spec.normal_penalty.value_or(scale), spec.tangential_penalty.value_or(scale)};
+}
+
+// With the stiffness of an earlier cut of the same cracks, where there is one.
+void set_up_contact(const Specification& scene, const ContactScales& earlier, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.search_radius = scene.solver.search_radius;
   s.undeformed = scene.kinematics == Kinematics::Small;
   for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
-  const auto scale = earlier.empty() ? penalty_scale(scene, m) : std::vector<double>{};
+  s.springs = earlier.springs;
+  const auto scale = s.springs.empty() ? penalty_scale(scene, m) : std::vector<double>{};
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const auto& spec = scene.cracks[k];
-    s.laws.push_back(earlier.empty() ? contact::Law{spec.normal_penalty.value_or(scale[k]),
-                                                    spec.tangential_penalty.value_or(scale[k]), spec.friction}
-                                     : earlier[k]);
+    s.laws.push_back(contact::Coulomb{spec.friction});
+    if (!scale.empty()) s.springs.push_back(springs_of(spec, scale[k]));
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
   if (std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.mortar.on; }))
-    set_up_hats(scene, scale, m);
+    set_up_hats(scene, scale, earlier, m);
 }
 
 // The unknowns of nodes whose displacement is prescribed: their own, and the ghosts of two that a crack divides.
@@ -257,7 +268,7 @@ void refuse_idle_growth(const Specification& scene, const assembly::Model& m) {
 }
 
 assembly::Model discretise(const LocalSpecification& local, geometry::Mesh mesh, std::vector<geometry::Crack> cracks,
-                           const std::vector<contact::Law>& earlier) {
+                           const ContactScales& earlier) {
   const Specification& scene = local.scene;
   assembly::Model m;
   m.origin = local.origin;
@@ -325,7 +336,8 @@ assembly::Model build_model(const Specification& scene) {
 }
 
 assembly::Model recut(const Specification& scene, const assembly::Model& model, std::vector<geometry::Crack> cracks) {
-  return discretise(relative_to(model.origin, scene), model.mesh, std::move(cracks), model.surfaces.laws);
+  return discretise(relative_to(model.origin, scene), model.mesh, std::move(cracks),
+                    {model.surfaces.springs, model.surfaces.mortar});
 }
 
 solve::StepControls step_controls(const Specification& scene) {

@@ -32,7 +32,7 @@ const Registered& find(const FieldSpec& spec) {
     if (spec.name == field.name) return field;
     allowed += (allowed.empty() ? "" : ", ") + std::string(field.name);
   }
-  throw InputError(spec.at, "field", "there is no field '" + spec.name + "'; allowed: " + allowed);
+  throw InputError(spec.at, spec.at.section, "there is no field '" + spec.name + "'; allowed: " + allowed);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Parameters::Parameters(const FieldSpec& s, std::map<std::string, double> default
     if (!values.contains(key)) {
       std::string allowed;
       for (const auto& [name, unused] : values) allowed += " " + name;
-      throw InputError(spec.at, "field." + key, "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
+      throw InputError(spec.at, spec.at.key(key), "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
     }
     values[key] = value;
   }

@@ -11,7 +11,7 @@ namespace {
 using Complex = std::complex<double>;
 
 void refuse(const Parameters& p, const char* key, const char* problem) {
-  throw InputError(p.spec.at, std::string("field.") + key, problem);
+  throw InputError(p.spec.at, p.spec.at.key(key), problem);
 }
 
 // sqrt(z^2 - a^2), discontinuous over the crack only, and there continued from the side that is asked for.

@@ -64,9 +64,9 @@ std::vector<MaybeSide> sides_of(const assembly::Model& m, Index crack) {
 // Whether a material's region holds a material point.
 class Claim {
  public:
-  Claim(const MaterialSpec::Region& region, const MaterialSpec& spec, std::size_t number, const assembly::Model& m)
+  Claim(const MaterialSpec::Region& region, const MaterialSpec& spec, const assembly::Model& m)
       : region_(region), m_(m) {
-    const std::string key = fmt::format("material[{}].region", number);
+    const std::string key = spec.at.key("region");
     if (region.crack.empty()) {
       const auto& names = m.mesh.regions;
       const auto at = std::ranges::find(names, region.name);
@@ -112,7 +112,7 @@ void refuse_mixed_balls(const Specification& scene, const assembly::Model& m) {
     if (a.tip == b.tip && (crack.intensities || grows_by_intensities(crack)) &&
         m.material_of[at - 1] != m.material_of[at])
       throw InputError(
-          crack.at, fmt::format("crack '{}'", crack.name),
+          crack.at, crack.at.part("crack", crack.name),
           "its stress intensity factors are asked for, but two materials meet in the ball of a tip; allowed: a smaller "
           "tip_enrichment");
   }
@@ -124,16 +124,15 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
   for (const auto& spec : scene.materials) m.materials.push_back(material_of(spec, scene.kinematics));
   std::vector<std::pair<Index, Claim>> claims;
   Index rest = kNone;
-  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
-    const auto& spec = scene.materials[k];
-    const auto number = static_cast<Index>(k);
+  for (Index number = 0; number < static_cast<Index>(scene.materials.size()); ++number) {
+    const auto& spec = scene.materials[number];
     if (spec.region) {
-      claims.emplace_back(number, Claim(*spec.region, spec, k, m));
+      claims.emplace_back(number, Claim(*spec.region, spec, m));
     } else if (rest == kNone) {
       rest = number;
     } else {
-      throw InputError(spec.at, fmt::format("material[{}].region", k),
-                       fmt::format("material[{}] fills the rest already; allowed: a region", rest));
+      throw InputError(spec.at, spec.at.key("region"),
+                       fmt::format("material {} fills the rest already; allowed: a region", rest));
     }
   }
   if (claims.empty()) return;
@@ -147,7 +146,7 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
     for (const auto& [number, claim] : claims) {
       if (!claim.holds(point)) continue;
       if (m.material_of[p] != rest)
-        fail(fmt::format("is filled by material[{}] and material[{}]", m.material_of[p], number));
+        fail(fmt::format("is filled by materials {} and {}", m.material_of[p], number));
       m.material_of[p] = number;
     }
     if (m.material_of[p] == kNone)

@@ -21,13 +21,13 @@ double smallest_element(const geometry::Mesh& mesh) {
 }
 
 // `size` is that of the elements.
-std::vector<Vec2> points_of(const CrackSpec& spec, std::size_t number, double size) {
+std::vector<Vec2> points_of(const CrackSpec& spec, double size) {
   if (!spec.sine) return spec.points;
   try {
     return geometry::sine_curve(spec.sine->start, spec.sine->end, spec.sine->amplitude, spec.sine->periods,
                                 kSineTolerance * size);
   } catch (const InputError&) {
-    throw InputError(spec.at, fmt::format("crack[{}].amplitude", number),
+    throw InputError(spec.at, spec.at.key("amplitude"),
                      "the curve is too long for this mesh; allowed: amplitudes and periods of the body's size");
   }
 }
@@ -44,8 +44,8 @@ geometry::Mesh fill(const StructuredMesh& spec, const Specification&) {
 geometry::Mesh fill(const DelaunayMesh& spec, const Specification& scene) {
   geometry::SizeField size{spec.size / spec.refine, spec.gradation, {}};
   const double along = spec.crack_size / spec.refine, at_tip = spec.tip_size / spec.refine;
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    const auto points = points_of(scene.cracks[k], k, along);
+  for (const auto& crack : scene.cracks) {
+    const auto points = points_of(crack, along);
     size.sources.push_back({points, along});
     for (const Vec2& end : {points.front(), points.back()})
       if (geometry::lies_inside(spec.outline, end)) size.sources.push_back({{end}, at_tip});
@@ -89,24 +89,23 @@ MeshedSpecification make_mesh(const Specification& scene) {
     return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
   } catch (const InputError& error) {
     if (!error.location().file.empty()) throw;
-    throw InputError(scene.mesh.at, error.key(), error.problem());
+    throw InputError(scene.mesh.at, scene.mesh.at.key(error.key()), error.problem());
   }
 }
 
 std::vector<geometry::Crack> make_cracks(const Specification& scene, const geometry::Mesh& mesh) {
   const double size = smallest_element(mesh);
   std::vector<geometry::Crack> cracks;
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-    cracks.push_back({scene.cracks[k].name, points_of(scene.cracks[k], k, size), scene.tip_enrichment});
+  for (const auto& crack : scene.cracks) cracks.push_back({crack.name, points_of(crack, size), scene.tip_enrichment});
   return cracks;
 }
 
-void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at, const std::string& key) {
+void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at) {
   if (mesh.boundaries.contains(name)) return;
   const std::string allowed = mesh.boundaries.empty()
                                   ? "the mesh has no named boundaries"
                                   : fmt::format("{}", fmt::join(mesh.boundaries | std::views::keys, ", "));
-  throw InputError(at, key, fmt::format("there is no boundary '{}'; allowed: {}", name, allowed));
+  throw InputError(at, at.key("on"), fmt::format("there is no boundary '{}'; allowed: {}", name, allowed));
 }
 
 }  // namespace cleft::problem

@@ -19,6 +19,6 @@ MeshedSpecification make_mesh(const Specification& scene);
 std::vector<geometry::Crack> make_cracks(const Specification& scene, const geometry::Mesh& mesh);
 
 /// Throws InputError unless the mesh has a boundary of this name.
-void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at, const std::string& key);
+void require_boundary(const geometry::Mesh& mesh, const std::string& name, const Location& at);
 
 }  // namespace cleft::problem

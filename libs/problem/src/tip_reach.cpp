@@ -19,7 +19,7 @@ void refuse_narrow(const Specification& scene, const assembly::Model& m, Index t
   const double elements = elements_within_reach(m, tip);
   if (elements >= kLeastReach) return;
   throw InputError(
-      scene.cracks[ball.crack].at, fmt::format("crack[{}] '{}'", ball.crack, scene.cracks[ball.crack].name),
+      scene.cracks[ball.crack].at, scene.cracks[ball.crack].at.part("crack", scene.cracks[ball.crack].name),
       fmt::format("its stress intensity factors are asked for, but {:.3g} m from the tip {}, {:.2g} element sizes, {}; "
                   "allowed: at least half an element size, {:.3g} m",
                   ball.reach, m.words_for(ball.frame.tip()), elements, end_of_reach(ball), least_reach(m, tip)));
@@ -30,7 +30,7 @@ void refuse_short_advances(const Specification& scene, const assembly::Model& m,
   const auto& crack = scene.cracks[ball.crack];
   if (!grows_by_intensities(crack) || !crack.growth->tips[ball.end] || crack.growth->advance >= least_reach(m, tip))
     return;
-  throw InputError(crack.growth_at, fmt::format("crack[{}].growth.advance", ball.crack),
+  throw InputError(crack.growth_at, crack.growth_at.key("advance"),
                    fmt::format("after an advance the crack bends, and stress intensity factors are taken up to the "
                                "bend; allowed: at least half an element size, {:.3g} m",
                                least_reach(m, tip)));
@@ -44,10 +44,10 @@ void refuse_held_nodes(const Specification& scene, const assembly::Model& m, Ind
       const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
       if ((X - ball.frame.tip()).norm() >= kWithin * ball.reach) continue;
       throw InputError(
-          scene.boundaries[p].at, fmt::format("boundary[{}] '{}'", p, scene.boundaries[p].name),
+          scene.boundaries[p].at, scene.boundaries[p].at.part("boundary", scene.boundaries[p].name),
           fmt::format("holds the node {} in the ball of a tip of crack '{}', whose stress intensity factors are "
-                      "asked for; allowed: nodes outside of the ball, or a smaller formulation.tip_enrichment",
-                      m.words_for(X), scene.cracks[ball.crack].name));
+                      "asked for; allowed: nodes outside of the ball, or a smaller {}",
+                      m.words_for(X), scene.cracks[ball.crack].name, scene.formulation_at.key("tip_enrichment")));
     }
 }
 

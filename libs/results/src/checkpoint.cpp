@@ -9,7 +9,7 @@
 namespace cleft::results {
 namespace {
 
-constexpr char kMagic[] = "cleft checkpoint 12\n";
+constexpr char kMagic[] = "cleft checkpoint 13\n";
 
 struct Writer {
   std::string out;
@@ -90,7 +90,7 @@ template <class Io>
 void pass(Io& io, contact::Memory& m) {
   io(m.anchor_face);
   io(m.anchor_place);
-  io(m.slip);
+  io(m.state.slip);
   io(m.normal);
   io(m.tangential);
   io(m.ramp);
@@ -106,6 +106,7 @@ void pass(Io& io, contact::HatMemory& hats) {
   pass(io, hats.slope, io);
   pass(io, hats.smooth, io);
   io(hats.stored);
+  pass(io, hats.state, [&](contact::InterfaceState& state) { io(state.slip); });
   pass(io, hats.trails, [&](contact::Trail& t) {
     io(t.face);
     io(t.begin);

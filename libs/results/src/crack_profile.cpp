@@ -124,7 +124,7 @@ std::vector<ProfilePoint> crack_profile(const solve::LoadStepper& stepper) {
     q.s = blend(face.s_start, face.s_end);
     q.reference = model.in_scene(blend(face.reference_start, face.reference_end));
     q.current = model.in_scene(blend(at.start[point.face], at.end[point.face]));
-    q.slip = stepper.state().history.contact[p].slip;
+    q.slip = stepper.state().history.contact[p].state.slip;
     q.gap = q.partner_s = std::numeric_limits<double>::quiet_NaN();
     const contact::Jump jump = contact::jump_at(surfaces, stepper.face_positions(), point.face, point.eta);
     q.jump_normal = jump.normal;

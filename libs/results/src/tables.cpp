@@ -28,8 +28,6 @@ const char* name_of(contact::Status status) {
   return "";
 }
 
-const char* name_of(geometry::Side side) { return side == geometry::Side::Left ? "left" : "right"; }
-
 const char* name_of(growth::Stop stop) {
   switch (stop) {
     case growth::Stop::None:
@@ -176,7 +174,7 @@ Table<NewtonRow> newton_table() {
 Table<CrackRow> crack_table() {
   using R = const CrackRow&;
   return {{"load", [](R r) { return r.load; }},
-          {"side", [](R r) { return name_of(r.point.side); }},
+          {"side", [](R r) { return cleft::name_of(r.point.side); }},
           {"s", [](R r) { return r.point.s; }},
           {"X", [](R r) { return r.point.reference.x(); }},
           {"Y", [](R r) { return r.point.reference.y(); }},

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "cleft/scene/keys.hpp"
+#include "overrides.hpp"
 
 namespace cleft::scene {
 namespace {
@@ -28,99 +29,6 @@ std::string read_text(const std::string& file) {
   return text.str();
 }
 
-std::vector<std::string> split_key(const std::string& key) {
-  std::vector<std::string> parts(1);
-  for (const char c : key) {
-    if (c == '.' || c == '[')
-      parts.emplace_back();
-    else if (c != ']')
-      parts.back() += c;
-  }
-  std::erase(parts, "");
-  return parts;
-}
-
-// The name of entry `k` of an array of sections: its own `name`, or else the default that it has once it is read.
-std::string name_of(const toml::node& entry, const std::string& section, std::size_t k, int& boxes) {
-  const auto* table = entry.as_table();
-  if (!table) return "";
-  if (table->contains("box")) ++boxes;
-  for (const char* key : {"name", "on"})
-    if (const auto* text = table->get_as<std::string>(key)) return text->get();
-  if (section == "crack") return fmt::format("crack{}", k + 1);
-  return section == "boundary" ? fmt::format("box{}", boxes) : "";
-}
-
-// The member of an array of sections that a part of a key names, by number or by name.
-toml::node* member(toml::array& array, const std::string& section, const std::string& part, std::string& index) {
-  int boxes = 0;
-  for (std::size_t k = 0; k < array.size(); ++k) {
-    const bool by_name = name_of(array[k], section, k, boxes) == part;
-    if (!by_name && part != std::to_string(k)) continue;
-    index = std::to_string(k);
-    return &array[k];
-  }
-  return nullptr;
-}
-
-// The names of the members, or their numbers where they have none.
-std::string names_of(const toml::array& array, const std::string& section) {
-  std::string out;
-  int boxes = 0;
-  for (std::size_t k = 0; k < array.size(); ++k) {
-    const std::string name = name_of(array[k], section, k, boxes);
-    out += (k > 0 ? ", " : "") + (name.empty() ? std::to_string(k) : name);
-  }
-  return out;
-}
-
-void apply(Document& document, const std::string& text) {
-  const Location here{"--set " + text};
-  const auto equal = text.find('=');
-  if (equal == std::string::npos) throw InputError(here, "", "not of the form KEY=VALUE");
-  const std::string key = text.substr(0, equal), value = text.substr(equal + 1);
-  toml::table parsed;
-  try {
-    parsed = toml::parse("v = " + value);
-  } catch (const toml::parse_error& error) {
-    if (value.find_first_of("[{\"'") == 0)
-      throw InputError(here, key, "not valid TOML: " + std::string(error.description()));
-    try {
-      parsed = toml::parse("v = '" + value + "'");
-    } catch (const toml::parse_error&) {
-      throw InputError(here, key, "the value is not TOML");
-    }
-  }
-  const auto parts = split_key(key);
-  if (parts.empty()) throw InputError(here, "", "the key is empty");
-  toml::node* at = &document.root;
-  std::string path;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const bool last = k + 1 == parts.size();
-    if (auto* array = at->as_array()) {
-      std::string index;
-      at = member(*array, path, parts[k], index);
-      if (!at)
-        throw InputError(here, key, fmt::format("there is no '{}'; allowed: {}", parts[k], names_of(*array, path)));
-      path += "[" + index + "]";
-      if (last)
-        throw InputError(
-            here, key, at->is_table() ? "a whole section cannot be set; name one of its keys" : "set the whole array");
-      continue;
-    }
-    auto* table = at->as_table();
-    if (!table) throw InputError(here, key, "'" + path + "' is not a section");
-    path += (path.empty() ? "" : ".") + parts[k];
-    if (last) {
-      table->insert_or_assign(parts[k], *parsed.get("v"));
-    } else {
-      if (!table->contains(parts[k])) table->insert(parts[k], toml::table{});
-      at = table->get(parts[k]);
-    }
-  }
-  document.overrides[path] = text;
-}
-
 }  // namespace
 
 Document Document::load(const std::string& file, const std::vector<std::string>& overrides) {
@@ -136,7 +44,7 @@ Document Document::load(const std::string& file, const std::vector<std::string>&
       problem += "; what may come more than once has two brackets: [[crack]]";
     throw InputError({file, static_cast<int>(at.line), static_cast<int>(at.column)}, "", problem);
   }
-  for (const auto& o : overrides) apply(document, o);
+  for (const auto& o : overrides) apply_override(document, o);
   return document;
 }
 
@@ -193,9 +101,18 @@ Section::Section(const Document& document, const toml::table& table, std::string
   }
 }
 
+Location Section::at() const {
+  Location out = document_->locate(*table_, path_);
+  out.section = path_;
+  return out;
+}
+
 Location Section::at(std::string_view key) const {
   const auto* n = table_->get(key);
-  return n ? document_->locate(*n, path(key)) : at();
+  if (!n) return at();
+  Location out = document_->locate(*n, path(key));
+  out.section = path(key);
+  return out;
 }
 
 Location Section::at(std::string_view key, std::size_t entry) const {
@@ -221,7 +138,7 @@ const toml::node& Section::node(std::string_view key) const {
   return *table_->get(key);
 }
 
-double Section::number_of(const toml::node& n, std::string_view key, const char* allowed) const {
+double Section::number_of(const toml::node& n, std::string_view key, const std::string& allowed) const {
   const auto wrong = [&](const char* what) {
     throw InputError(document_->locate(n, path(key)), path(key), fmt::format("{}; allowed: {}", what, allowed));
   };
@@ -232,33 +149,32 @@ double Section::number_of(const toml::node& n, std::string_view key, const char*
   return value;
 }
 
-double Section::number(std::string_view key, const Check& ok, const char* allowed) const {
-  const double value = number_of(node(key), key, allowed);
-  if (ok && !ok(value)) fail(key, fmt::format("{} is out of range; allowed: {}", value, allowed));
+double Section::number(std::string_view key, const Allowed& allowed) const {
+  const double value = number_of(node(key), key, allowed.words());
+  if (!allowed.holds(value)) fail(key, fmt::format("{} is out of range; allowed: {}", value, allowed.words()));
   return value;
 }
 
-double Section::number_or(std::string_view key, double fallback, const Check& ok, const char* allowed) const {
-  return has(key) ? number(key, ok, allowed) : fallback;
-}
-
-std::optional<double> Section::maybe_number(std::string_view key, const Check& ok, const char* allowed) const {
-  return has(key) ? std::optional(number(key, ok, allowed)) : std::nullopt;
-}
-
-int Section::integer(std::string_view key, int least, int most) const {
+int Section::integer(std::string_view key, const Limits& limits) const {
   const auto value = node(key).is_integer() ? node(key).value<std::int64_t>() : std::nullopt;
-  if (!value || *value < least || *value > most)
-    fail(key, fmt::format("not an integer in range; allowed: {} to {}", least, most));
+  if (!value || *value < limits.least || *value > limits.most)
+    fail(key, fmt::format("not an integer in range; allowed: {} to {}", limits.least, limits.most));
   return static_cast<int>(*value);
 }
 
-int Section::integer_or(std::string_view key, int fallback, int least, int most) const {
-  return has(key) ? integer(key, least, most) : fallback;
+std::array<int, 2> Section::integers(std::string_view key, const Limits& limits) const {
+  const auto values = numbers(key, 2);
+  const auto& array = *node(key).as_array();
+  std::array<int, 2> out{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!array[k].is_integer() || values[k] < limits.least || values[k] > limits.most)
+      fail(key, fmt::format("not integers in range; allowed: integers from {} to {}", limits.least, limits.most));
+    out[k] = static_cast<int>(values[k]);
+  }
+  return out;
 }
 
-bool Section::flag_or(std::string_view key, bool fallback) const {
-  if (!has(key)) return fallback;
+bool Section::flag(std::string_view key) const {
   if (!node(key).is_boolean()) fail(key, "not a truth value; allowed: true, false");
   return *node(key).value<bool>();
 }
@@ -266,6 +182,10 @@ bool Section::flag_or(std::string_view key, bool fallback) const {
 std::string Section::text(std::string_view key) const {
   if (!node(key).is_string()) fail(key, "not a text; allowed: a text in quotes");
   return *node(key).value<std::string>();
+}
+
+std::string Section::file_beside(std::string_view key) const {
+  return (std::filesystem::path(document_->file).parent_path() / text(key)).lexically_normal().string();
 }
 
 std::vector<std::string> Section::texts(std::string_view key) const {
@@ -277,14 +197,12 @@ std::vector<std::string> Section::texts(std::string_view key) const {
   return out;
 }
 
-std::string Section::choice(std::string_view key, const std::vector<std::string>& allowed) const {
-  std::string value = text(key);
-  std::string list;
-  for (const auto& a : allowed) {
-    if (a == value) return value;
-    list += (list.empty() ? "" : ", ") + a;
-  }
-  fail(key, fmt::format("'{}' is not available; allowed: {}", value, list));
+std::size_t Section::choice(std::string_view key, const std::vector<std::string_view>& allowed) const {
+  const std::string value = text(key);
+  const auto at = std::ranges::find(allowed, value);
+  if (at == allowed.end())
+    fail(key, fmt::format("'{}' is not available; allowed: {}", value, fmt::join(allowed, ", ")));
+  return static_cast<std::size_t>(at - allowed.begin());
 }
 
 std::vector<double> Section::numbers(std::string_view key, std::optional<std::size_t> count) const {
@@ -293,13 +211,8 @@ std::vector<double> Section::numbers(std::string_view key, std::optional<std::si
   const auto* array = node(key).as_array();
   if (!array || (count && array->size() != *count)) fail(key, "wrong shape; allowed: " + allowed);
   std::vector<double> values;
-  for (const auto& item : *array) values.push_back(number_of(item, key, allowed.c_str()));
+  for (const auto& item : *array) values.push_back(number_of(item, key, allowed));
   return values;
-}
-
-bool Section::are_integers(std::string_view key) const {
-  const auto* array = node(key).as_array();
-  return array && std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_integer(); });
 }
 
 const toml::array* Section::array(std::string_view key) const {
@@ -308,7 +221,7 @@ const toml::array* Section::array(std::string_view key) const {
 }
 
 std::vector<std::array<double, 2>> Section::pairs_of(const toml::node& list, const std::string& name) const {
-  const char* allowed = "an array of pairs of numbers, [[a, b], ...]";
+  const std::string allowed = "an array of pairs of numbers, [[a, b], ...]";
   const auto wrong = [&](const toml::node& where, const std::string& which) {
     throw InputError(document_->locate(where, path(name)), path(which),
                      fmt::format("wrong shape; allowed: {}", allowed));
@@ -335,43 +248,41 @@ std::vector<std::vector<std::array<double, 2>>> Section::lists_of_pairs(std::str
   return out;
 }
 
-Vec2 Section::point(std::string_view key) const {
-  const auto v = numbers(key, 2);
-  return {v[0], v[1]};
+std::string Section::kind_of(std::string_view key) const {
+  return kind_.empty() ? std::string(key) : fmt::format("{}.{}", kind_, key);
 }
 
-std::optional<Section> Section::section(std::string_view key, const std::string& kind) const {
+std::optional<Section> Section::section(std::string_view key) const {
   if (!has(key)) return std::nullopt;
   const auto* table = node(key).as_table();
   if (!table) fail(key, "not a section; allowed: a table");
-  return Section(*document_, *table, path(key), kind);
+  return Section(*document_, *table, path(key), kind_of(key));
 }
 
-std::vector<Section> Section::sections(std::string_view key, const std::string& kind) const {
+std::vector<Section> Section::sections(std::string_view key) const {
   std::vector<Section> all;
   if (!has(key)) return all;
   if (const auto* table = node(key).as_table()) {
-    all.emplace_back(*document_, *table, path(key), kind);
+    all.emplace_back(*document_, *table, path(key), kind_of(key));
     return all;
   }
   const auto* array = node(key).as_array();
   for (std::size_t k = 0; array && k < array->size(); ++k) {
     const auto* table = (*array)[k].as_table();
     if (!table) fail(key, fmt::format("not a section; allowed: [[{}]] sections", key));
-    all.emplace_back(*document_, *table, fmt::format("{}[{}]", path(key), k), kind);
+    all.emplace_back(*document_, *table, fmt::format("{}[{}]", path(key), k), kind_of(key));
   }
   if (!array) fail(key, fmt::format("not a section; allowed: [[{}]] sections", key));
   return all;
 }
 
-problem::Amplitude Section::amplitude() const {
+problem::Amplitude Section::amplitude(std::string_view key) const {
   problem::Amplitude out;
-  if (!has("amplitude")) return out;
-  out.points = pairs("amplitude");
-  if (out.points.empty()) fail("amplitude", "empty; allowed: at least one pair [load, factor]");
+  out.points = pairs(key);
+  if (out.points.empty()) fail(key, "empty; allowed: at least one pair [load, factor]");
   for (std::size_t k = 0; k < out.points.size(); ++k)
     if (out.points[k][0] < 0.0 || out.points[k][0] > 1.0 || (k > 0 && out.points[k][0] <= out.points[k - 1][0]))
-      fail("amplitude", "loads out of order; allowed: loads from 0 to 1, each larger than the one before");
+      fail(key, "loads out of order; allowed: loads from 0 to 1, each larger than the one before");
   return out;
 }
 

@@ -4,7 +4,6 @@
 #include <toml++/toml.h>
 
 #include <array>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +25,26 @@ struct Document {
   Location locate(const toml::node& node, const std::string& path) const;
 };
 
+/// The numbers that a key may have.
+struct Allowed {
+  bool (*holds)(double) = [](double) { return true; };
+  const char* text = "a finite number";
+  const char* unit = "";
+
+  constexpr Allowed in(const char* of_unit) const { return {holds, text, of_unit}; }
+  std::string words() const { return std::string(text) + (*unit ? ", " : "") + unit; }
+};
+
+inline constexpr Allowed kAny{};
+inline constexpr Allowed kPositive{[](double x) { return x > 0.0; }, "a positive number"};
+inline constexpr Allowed kNotNegative{[](double x) { return x >= 0.0; }, "0 or greater"};
+inline constexpr Allowed kFraction{[](double x) { return x > 0.0 && x < 1.0; }, "between 0 and 1"};
+
+/// The integers that a key may have, both limits included.
+struct Limits {
+  int least, most;
+};
+
 /// One table of the document.
 class Section {
  public:
@@ -33,7 +52,7 @@ class Section {
   Section(const Document& document, const toml::table& table, std::string path, std::string kind);
 
   bool has(std::string_view key) const { return table_->contains(key); }
-  Location at() const { return document_->locate(*table_, path_); }
+  Location at() const;  // with the section's name
   Location at(std::string_view key) const;
   Location at(std::string_view key, std::size_t entry) const;  ///< of the entry of an array
   std::string path(std::string_view key) const {
@@ -43,41 +62,36 @@ class Section {
   [[noreturn]] void fail_at(std::string_view key, std::size_t entry, const std::string& problem) const;
   void require(std::string_view key) const;
 
-  using Check = std::function<bool(double)>;
-  double number(std::string_view key, const Check& ok = {}, const char* allowed = "a finite number") const;
-  double number_or(std::string_view key, double fallback, const Check& ok = {},
-                   const char* allowed = "a finite number") const;
-  std::optional<double> maybe_number(std::string_view key, const Check& ok = {},
-                                     const char* allowed = "a finite number") const;
-  int integer(std::string_view key, int least, int most) const;
-  int integer_or(std::string_view key, int fallback, int least, int most) const;
-  bool flag_or(std::string_view key, bool fallback) const;
+  double number(std::string_view key, const Allowed& allowed = {}) const;
+  int integer(std::string_view key, const Limits& limits) const;
+  std::array<int, 2> integers(std::string_view key, const Limits& limits) const;
+  bool flag(std::string_view key) const;
   std::string text(std::string_view key) const;
   bool is_text(std::string_view key) const { return node(key).is_string(); }
+  /// The path of a file that stands relative to the document.
+  std::string file_beside(std::string_view key) const;
   std::vector<std::string> texts(std::string_view key) const;
-  /// A text out of a list.
-  std::string choice(std::string_view key, const std::vector<std::string>& allowed) const;
+  /// The place of a text in a list.
+  std::size_t choice(std::string_view key, const std::vector<std::string_view>& allowed) const;
   std::vector<double> numbers(std::string_view key, std::optional<std::size_t> count) const;
-  /// Whether all members of an array are integers, as 3 is and 3.0 is not.
-  bool are_integers(std::string_view key) const;
   /// An array of anything, never null.
   const toml::array* array(std::string_view key) const;
   /// Rows of two numbers.
   std::vector<std::array<double, 2>> pairs(std::string_view key) const;
   /// Arrays of rows of two numbers.
   std::vector<std::vector<std::array<double, 2>>> lists_of_pairs(std::string_view key) const;
-  Vec2 point(std::string_view key) const;
-  std::optional<Section> section(std::string_view key, const std::string& kind) const;
+  std::optional<Section> section(std::string_view key) const;
   /// [[key]], or a single [key].
-  std::vector<Section> sections(std::string_view key, const std::string& kind) const;
-  problem::Amplitude amplitude() const;
+  std::vector<Section> sections(std::string_view key) const;
+  problem::Amplitude amplitude(std::string_view key) const;
   /// NAME or { name = NAME, parameter = number, ... }
   problem::FieldSpec field(std::string_view key) const;
 
  private:
   const toml::node& node(std::string_view key) const;
   std::vector<std::array<double, 2>> pairs_of(const toml::node& node, const std::string& name) const;
-  double number_of(const toml::node& node, std::string_view key, const char* allowed) const;
+  double number_of(const toml::node& node, std::string_view key, const std::string& allowed) const;
+  std::string kind_of(std::string_view key) const;  ///< of the section below that key
 
   const Document* document_;
   const toml::table* table_;

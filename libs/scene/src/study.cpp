@@ -2,18 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <sstream>
 
-#include "document.hpp"
+#include "tables.hpp"
 
 namespace cleft::scene {
 namespace {
 
-// Paths in a study are relative to it.
-std::string beside(const std::string& study, const std::string& path) {
-  return (std::filesystem::path(study).parent_path() / path).lexically_normal().string();
-}
+using Interval = std::optional<std::array<double, 2>>;
 
 std::string toml_text(const toml::node& node) {
   std::ostringstream out;
@@ -21,10 +17,12 @@ std::string toml_text(const toml::node& node) {
   return out.str();
 }
 
-std::array<double, 2> interval(const Section& s, std::string_view key) {
-  const auto v = s.numbers(key, 2);
-  if (!(v[1] > v[0])) s.fail(key, "the interval is empty; allowed: [least, most] with least < most");
-  return {v[0], v[1]};
+Row<Quantity> interval(const char* name, Interval Quantity::*member, const std::string& help) {
+  return Row<Quantity>::custom(name, "2 numbers", help, [=](const Section& s, Quantity& q) {
+    const auto v = s.numbers(name, 2);
+    if (!(v[1] > v[0])) s.fail(name, "the interval is empty; allowed: [least, most] with least < most");
+    q.*member = {v[0], v[1]};
+  });
 }
 
 std::string default_name(const Quantity& q) {
@@ -37,9 +35,7 @@ std::string default_name(const Quantity& q) {
   return q.largest ? out + ", largest" : out;
 }
 
-Quantity read_quantity(const Section& s, const std::string& file) {
-  Quantity q;
-  q.at = s.at();
+void check_keys(const Section& s) {
   if (s.has("error") + s.has("column") != 1)
     throw InputError(s.at(), s.path("column"), "says what is followed; allowed: exactly one of column and error");
   const auto only_with = [&](const char* owner, std::initializer_list<const char*> keys) {
@@ -48,76 +44,128 @@ Quantity read_quantity(const Section& s, const std::string& file) {
   };
   only_with("crack", {"along", "norm", "reference", "range", "side"});
   only_with("column", {"load", "crack", "exact"});
-  if (s.has("error")) {
-    q.kind = Quantity::Kind::Error;
-    q.column = s.choice("error", {"l2", "energy"});
-  } else {
-    q.column = s.text("column");
-    q.load = s.number_or(
-        "load", 1.0, [](double x) { return x > 0.0 && x <= 1.0; }, "greater than 0, up to 1");
-  }
-  if (s.has("crack")) {
-    q.kind = Quantity::Kind::Profile;
-    q.crack = s.text("crack");
-    if (s.has("along")) q.along = s.choice("along", {"s", "X", "Y", "x", "y"});
-    if (s.has("side")) q.side = s.choice("side", {"left", "right"});
-    if (s.has("norm")) q.largest = s.choice("norm", {"l2", "max"}) == "max";
-    if (s.has("reference")) q.reference = beside(file, s.text("reference"));
-    if (s.has("range")) q.range = interval(s, "range");
-    if (s.has("exact")) s.fail("exact", "a profile has no single value; allowed: reference");
-  }
-  q.exact = s.maybe_number("exact");
-  if (s.has("order_within")) q.order_within = interval(s, "order_within");
-  if (s.has("limit_within")) q.limit_within = interval(s, "limit_within");
+  if (s.has("crack") && s.has("exact")) s.fail("exact", "a profile has no single value; allowed: reference");
+}
+
+void finish_quantity(const Section& s, Quantity& q) {
+  check_keys(s);
+  if (s.has("error")) q.kind = Quantity::Kind::Error;
+  if (s.has("crack")) q.kind = Quantity::Kind::Profile;
   if (q.limit_within && (q.exact || q.kind != Quantity::Kind::History))
     s.fail("limit_within", "the limit is known here; allowed: for a column without exact");
-  q.name = s.has("name") ? s.text("name") : default_name(q);
-  return q;
+  if (!s.has("name")) q.name = default_name(q);
+}
+
+const Table<Quantity>& quantity_table() {
+  using Row = Row<Quantity>;
+  constexpr Allowed kLoad{[](double x) { return x > 0.0 && x <= 1.0; }, "greater than 0, up to 1"};
+  const std::vector<Named<bool>> norms{{false, "l2"}, {true, "max"}};
+  const auto read_reference = [](const Section& s, Quantity& q) { q.reference = s.file_beside("reference"); };
+  static const Table<Quantity> table{
+      {Row::value("name", &Quantity::name, "in tables and figures").otherwise("its column, load and what follows"),
+       Row::value("column", &Quantity::column, "of history.csv, or of the crack's file"),
+       Row::choice("error", &Quantity::column, texts({"l2", "energy"}), "norm of the error against the exact solution"),
+       Row::number("load", &Quantity::load, kLoad, "at which it is taken"),
+       Row::number("exact", &Quantity::exact, kAny, "known value"),
+       Row::value("crack", &Quantity::crack, "whose profile is compared"),
+       Row::choice("along", &Quantity::along, texts({"s", "X", "Y", "x", "y"}), "abscissa of the profile"),
+       Row::choice("side", &Quantity::side, texts({"left", "right"}), "face of the profile")
+           .otherwise("the one with points, of both the left"),
+       Row::choice("norm", &Quantity::largest, norms, "of the profile's distance"),
+       Row::custom("reference", "text", "CSV file to compare with", read_reference).otherwise("the finest mesh"),
+       interval("range", &Quantity::range, "part of the abscissa that counts"),
+       interval("order_within", &Quantity::order_within, "the study fails where the order is outside"),
+       interval("limit_within", &Quantity::limit_within, "the study fails where the limit is outside")},
+      {},
+      finish_quantity};
+  return table;
+}
+
+void read_values(const Section& s, Study& study) {
+  study.variants.clear();
+  for (const auto& value : *s.array("values")) {
+    const Location at = s.at("values", study.variants.size());
+    study.variants.push_back(toml_text(value));
+    study.overrides_at[study.sweep_key + "=" + study.variants.back()] = at;
+  }
+  if (study.variants.empty()) s.fail("values", "empty; allowed: at least one value");
+}
+
+const Table<Study>& sweep_table() {
+  using Row = Row<Study>;
+  static const Table<Study> table{{
+      Row::value("key", &Study::sweep_key, "dotted key of the scene").needed(),
+      Row::custom("values", "array", "its values", read_values).needed(),
+  }};
+  return table;
+}
+
+void read_scene_file(const Section& s, Study& study) {
+  study.scene = s.file_beside("scene");
+  study.scene_at = s.at("scene");
+}
+
+void read_set(const Section& s, Study& study) {
+  study.set = s.texts("set");
+  for (std::size_t k = 0; k < study.set.size(); ++k) study.overrides_at[study.set[k]] = s.at("set", k);
+}
+
+void read_cells(const Section& s, Study& study) {
+  for (const auto& row : s.pairs("cells")) study.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
+}
+
+void read_refine(const Section& s, Study& study) {
+  if (s.has("cells")) s.fail("refine", "says what the meshes are; allowed: one of cells and refine");
+  for (const double value : s.numbers("refine", std::nullopt)) study.meshes.push_back(fmt::format("{}", value));
+}
+
+void finish_meshes(const Section& s, Study& study) {
+  const char* const meshes = s.has("refine") ? "refine" : "cells";
+  s.require(meshes);
+  study.mesh_key = std::string("mesh.") + meshes;
+  if (study.meshes.size() < 2) s.fail(meshes, "a sequence needs at least two meshes");
+  for (std::size_t k = 0; k < study.meshes.size(); ++k)
+    study.overrides_at[study.mesh_key + "=" + study.meshes[k]] = s.at(meshes, k);
+}
+
+void check_names(const Section& s, const std::vector<Quantity>& all) {
+  const auto sections = s.sections("quantity");
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (all[k].name == all[i].name)
+        sections[i].fail("name", fmt::format("'{}' names another quantity, too; allowed: distinct names", all[k].name));
+  if (all.empty()) throw InputError(s.at(), "quantity", "missing; allowed: at least one [[quantity]] section");
+}
+
+void finish(const Section& s, Study& study) {
+  finish_meshes(s, study);
+  check_names(s, study.quantities);
 }
 
 }  // namespace
 
+const Table<Study>& study_table() {
+  using Row = Row<Study>;
+  static const Table<Study> table{
+      {Row::value("title", &Study::title, "one line for reports"),
+       Row::custom("scene", "text", "scene file, relative to the study", read_scene_file).needed(),
+       Row::custom("set", "array of texts", "overrides of all runs, KEY=VALUE", read_set),
+       Row::custom("cells", "array of pairs", "mesh.cells of each mesh", read_cells),
+       Row::custom("refine", "array of numbers", "mesh.refine of each mesh", read_refine),
+       Row::section("sweep", kItself, sweep_table(), "a key of the scene that is varied as well"),
+       Row::sections("quantity", &Study::quantities, quantity_table(), Listed::Always,
+                     "what is followed over the meshes")},
+      {},
+      finish};
+  return table;
+}
+
 Study read_study(const std::string& file) {
   const Document document = Document::load(file, {});
-  const Section root(document, document.root, "", "study");
   Study out;
   out.file = file;
-  if (root.has("title")) out.title = root.text("title");
-  out.scene = beside(file, root.text("scene"));
-  out.scene_at = root.at("scene");
-  if (root.has("set")) out.set = root.texts("set");
-  for (std::size_t k = 0; k < out.set.size(); ++k) out.overrides_at[out.set[k]] = root.at("set", k);
-  const char* const meshes = root.has("refine") ? "refine" : "cells";
-  if (root.has("refine") && root.has("cells"))
-    root.fail("refine", "says what the meshes are; allowed: one of cells and refine");
-  out.mesh_key = std::string("mesh.") + meshes;
-  if (root.has("refine"))
-    for (const double value : root.numbers("refine", std::nullopt)) out.meshes.push_back(fmt::format("{}", value));
-  else
-    for (const auto& row : root.pairs("cells")) out.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
-  if (out.meshes.size() < 2) root.fail(meshes, "a sequence needs at least two meshes");
-  for (std::size_t k = 0; k < out.meshes.size(); ++k)
-    out.overrides_at[out.mesh_key + "=" + out.meshes[k]] = root.at(meshes, k);
   out.variants = {""};
-  if (const auto sweep = root.section("sweep", "study.sweep")) {
-    out.sweep_key = sweep->text("key");
-    out.variants.clear();
-    for (const auto& value : *sweep->array("values")) {
-      const Location at = sweep->at("values", out.variants.size());
-      out.variants.push_back(toml_text(value));
-      out.overrides_at[out.sweep_key + "=" + out.variants.back()] = at;
-    }
-    if (out.variants.empty()) sweep->fail("values", "empty; allowed: at least one value");
-  }
-  for (const auto& s : root.sections("quantity", "study.quantity")) {
-    out.quantities.push_back(read_quantity(s, file));
-    for (std::size_t k = 0; k + 1 < out.quantities.size(); ++k)
-      if (out.quantities[k].name == out.quantities.back().name)
-        s.fail("name",
-               fmt::format("'{}' names another quantity, too; allowed: distinct names", out.quantities[k].name));
-  }
-  if (out.quantities.empty())
-    throw InputError(root.at(), "quantity", "missing; allowed: at least one [[quantity]] section");
+  read(study_table(), Section(document, document.root, "", "study"), out);
   return out;
 }
 

@@ -145,7 +145,7 @@ TEST(SceneReader, ReportsFaultsOfGrowth) {
        "'griffith' is not available; allowed: rankine, hoop-stress"},
       {contact, GROWTH "advance = @0.0 }", "crack[0].growth.advance", "allowed: a positive number, m"},
       {contact, GROWTH "advance = 0.01, toughness = @1e6 }", "crack[0].growth.toughness",
-       "allowed with \"rankine\": strength, radius, advance"},
+       "is none of criterion = \"rankine\"; allowed with hoop-stress"},
       {contact, GROWTH "advance = 0.01, most = @0 }", "crack[0].growth.most", "allowed: 1 to"},
       {contact, GROWTH "advance = 0.01, tips = @\"first\" }", "crack[0].growth.tips", "allowed: both, start, end"},
       {contact, GROWTH "advance = 0.01, correct_direction = @1 }", "crack[0].growth.correct_direction",

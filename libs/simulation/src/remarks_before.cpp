@@ -71,7 +71,7 @@ class CrackRemarks {
         outline_(outline),
         spec_(scene.cracks[number]),
         cut_(model.cut.cracks[number]),
-        law_(model.surfaces.laws[number]),
+        springs_(model.surfaces.springs[number]),
         crack_("crack '" + spec_.name + "'"),
         out_(out) {}
 
@@ -100,7 +100,7 @@ class CrackRemarks {
   const Outline& outline_;
   const problem::CrackSpec& spec_;
   const geometry::CrackCut& cut_;
-  const contact::Law& law_;
+  const contact::Springs& springs_;
   const std::string crack_;
   Lines& out_;
 };
@@ -166,17 +166,17 @@ void CrackRemarks::about_growth(const problem::GrowthLaw& growth, double size) c
 }
 
 void CrackRemarks::about_friction() const {
-  if (law_.friction == 0.0) say("slides without friction");
-  if (law_.friction > kRough)
+  if (spec_.friction == 0.0) say("slides without friction");
+  if (spec_.friction > kRough)
     say(fmt::format("friction {:.4g} is an angle of {:.1f} degrees; it is a coefficient, neither degrees nor percent",
-                    law_.friction, std::atan(law_.friction) * 180.0 / std::numbers::pi));
+                    spec_.friction, std::atan(spec_.friction) * 180.0 / std::numbers::pi));
 }
 
 void CrackRemarks::about_penalties(double scale) const {
-  about_penalty(law_.normal_penalty, scale,
+  about_penalty(springs_.normal, scale,
                 {"normal penalty", "an oscillating contact pressure, and smaller increments", "faces that overlap"});
-  if (law_.tangential_penalty != law_.normal_penalty)
-    about_penalty(law_.tangential_penalty, scale,
+  if (springs_.tangential != springs_.normal)
+    about_penalty(springs_.tangential, scale,
                   {"tangential penalty", "an oscillating shear traction, and smaller increments",
                    "slip where the faces should stick"});
 }

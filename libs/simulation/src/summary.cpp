@@ -73,10 +73,10 @@ void add_costs(Json& j, const growth::Evolution& evolution, const RunResult& res
 // By crack; null where all contact is mortar contact.
 Json penalties_of(const assembly::Model& model) {
   Json j;
-  for (std::size_t k = 0; k < model.surfaces.laws.size(); ++k) {
-    const auto& law = model.surfaces.laws[k];
+  for (std::size_t k = 0; k < model.surfaces.springs.size(); ++k) {
+    const auto& springs = model.surfaces.springs[k];
     if (model.surfaces.is_mortar(static_cast<Index>(k))) continue;
-    j[model.cracks[k].name] = {{"normal", law.normal_penalty}, {"tangential", law.tangential_penalty}};
+    j[model.cracks[k].name] = {{"normal", springs.normal}, {"tangential", springs.tangential}};
   }
   return j;
 }

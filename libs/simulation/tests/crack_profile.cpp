@@ -152,7 +152,7 @@ TEST(Pressure, OfSpringsOnBothFacesIsWhatBothExertOnEither) {
     const Motion upper = stretched(kUpper, kSlide, -kDeep), lower = stretched(kLower, 0.0, 0.0);
     const TwoBodies bodies(scene_of(square("both", "penalty")), turn ? turned(upper) : upper,
                            turn ? turned(lower) : lower);
-    const double penalty = bodies.model.surfaces.laws[0].normal_penalty;
+    const double penalty = bodies.model.surfaces.springs[0].normal;
     const double pressure = 0.5 * penalty * kDeep * (1.0 / kUpper + 1.0 / kLower);
     int both[2] = {0, 0};
     for (const auto& q : bodies.points()) {

@@ -221,7 +221,7 @@ steps = 1
   // the softer side counts for the penalty
   const auto model = problem::build_model(scene_of(replaced(
       text, "contact = { normal_penalty = 1e10, tangential_penalty = 1e10 }", "contact = { method = \"penalty\" }")));
-  EXPECT_NEAR(model.surfaces.laws[0].normal_penalty, 7e9, 1.0);
+  EXPECT_NEAR(model.surfaces.springs[0].normal, 7e9, 1.0);
 }
 
 TEST(Materials, FillTheRegionsOfAMesh) {

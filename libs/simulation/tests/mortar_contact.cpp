@@ -42,11 +42,11 @@ TEST(MortarContact, IsExactWithWiderHatsWhereItIsNotSmoothed) {
 TEST(MortarContact, ReportsKeysOfTheOtherMethodAndNumbersThatMakeNoSense) {
   for (const Fault& fault :
        std::vector<Fault>{{kPenalty.c_str(), "contact = { method = \"mortar\", normal_penalty = @2.0e12 }",
-                           "crack[0].contact.normal_penalty", "mortar contact has no springs"},
+                           "crack[0].contact.normal_penalty", "is none of method = \"mortar\"; allowed with penalty"},
                           {kPenalty.c_str(), "contact = { normal_penalty = 2.0e12, smoothing = @1.0 }",
-                           "crack[0].contact.smoothing", "method = \"mortar\" only"},
+                           "crack[0].contact.smoothing", "is none of method = \"penalty\"; allowed with mortar"},
                           {kPenalty.c_str(), "contact = { method = \"penalty\", hat_width = @1.0 }",
-                           "crack[0].contact.hat_width", "method = \"mortar\" only"},
+                           "crack[0].contact.hat_width", "is none of method = \"penalty\"; allowed with mortar"},
                           {kPenalty.c_str(), "contact = { method = \"mortar\", smoothing = @-1.0 }",
                            "crack[0].contact.smoothing", "0 or greater"},
                           {kPenalty.c_str(), "contact = { method = \"mortar\", hat_width = @0.0 }",

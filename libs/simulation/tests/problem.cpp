@@ -8,8 +8,8 @@ namespace {
 TEST(Problem, DefaultPenaltyIsYoungOverTheCellWidth) {
   const auto model =
       problem::build_model(scene_of(replaced(kBlock, "normal_penalty = 2.0e12", "method = \"penalty\"")));
-  EXPECT_NEAR(model.surfaces.laws[0].normal_penalty, 1e10 / 0.01, 1e-3);
-  EXPECT_NEAR(model.surfaces.laws[0].tangential_penalty, 1e10 / 0.01, 1e-3);
+  EXPECT_NEAR(model.surfaces.springs[0].normal, 1e10 / 0.01, 1e-3);
+  EXPECT_NEAR(model.surfaces.springs[0].tangential, 1e10 / 0.01, 1e-3);
 }
 
 TEST(Problem, BranchFunctionsAreBluntAtFiniteStrainOnly) {

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace cleft;
+using namespace cleft::solve;
 
 void block_pattern(benchmark::State& state) {
   const auto model = models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace cleft;
+using namespace cleft::solve;
 
 assembly::Model enriched_block(std::int64_t across, std::int64_t elements) {
   auto m = models::block(static_cast<int>(across), contact::NegativeSide::Left);

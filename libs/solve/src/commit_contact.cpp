@@ -19,12 +19,10 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
       continue;
     }
     const auto step = contact::advance(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
-    const auto& law = model.surfaces.laws[model.surfaces.faces[model.surfaces.points[p].face].crack];
+    const auto& springs = model.surfaces.springs[model.surfaces.faces[model.surfaces.points[p].face].crack];
     const double weight = model.surfaces.points[p].weight;
     if (contact::presses(pairs[p])) {
-      energies.contact += 0.5 * weight * s.ramp *
-                          (s.traction.normal * s.traction.normal / law.normal_penalty +
-                           s.traction.tangential * s.traction.tangential / law.tangential_penalty);
+      energies.contact += weight * s.ramp * springs.stored_energy(s.traction.normal, s.traction.tangential);
       history.deepest = std::max(history.deepest, -s.normal_gap);
     }
     energies.friction_dissipation += weight * step.friction;

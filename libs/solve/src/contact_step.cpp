@@ -31,7 +31,7 @@ class Condensed {
     for (const Index i : nodes_) {
       const auto& state = assembler.multipliers().nodes()[i];
       choice_.push_back({state.status, state.slides});
-      problem_.laws.push_back(law_of(i, history));
+      problem_.laws.push_back(law_of(i, state, history));
     }
   }
 
@@ -48,11 +48,14 @@ class Condensed {
   std::optional<VecX> solve() { return contact::solve(problem_, choice_); }
 
  private:
-  contact::NodeLaw law_of(Index i, const assembly::History& history) const {
+  // The tangent of the law at the node's pressure.
+  contact::NodeLaw law_of(Index i, const contact::NodeState& state, const assembly::History& history) const {
     const auto& s = model_.surfaces;
     const auto& node = s.hats.nodes[i];
-    return {s.laws[node.crack].friction, s.mortar[node.crack].scale * s.touch().length * node.length,
-            history.hats.status[i] != contact::Status::Open};
+    const auto strength = contact::strength(s.laws[node.crack], -state.normal, history.hats.state[i]);
+    return {strength.by_pressure, s.mortar[node.crack].scale * s.touch().length * node.length,
+            history.hats.status[i] != contact::Status::Open,
+            node.length * (strength.value + strength.by_pressure * state.normal)};
   }
   // L l of the nodes, N/m.
   VecX tractions(const VecX& x) const {

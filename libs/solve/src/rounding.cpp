@@ -38,16 +38,21 @@ BulkErrors bulk_errors(const assembly::Model& model, double reach) {
   return {std::sqrt(at_one), adds_one ? std::sqrt(at_one) : std::sqrt(of_gradient)};
 }
 
+// Of both components, Pa/m.
+double stiffness_of(const contact::Surfaces& surfaces, Index crack) {
+  if (surfaces.is_mortar(crack)) return 2.0 * surfaces.mortar[crack].scale;
+  return surfaces.springs[crack].normal + surfaces.springs[crack].tangential;
+}
+
 // Gaps carry errors of the size eps |x|, in the undeformed configuration eps (|u| + the length of a face, on which
-// anchors have their place); the penalty turns them into forces.
+// anchors have their place); springs and multipliers turn them into forces.
 double contact_errors(const contact::Surfaces& surfaces, double reach) {
   double sum = 0.0;
   for (const auto& point : surfaces.points) {
     const auto& face = surfaces.faces[point.face];
-    const auto& law = surfaces.laws[face.crack];
     const double place =
         surfaces.undeformed ? (face.reference_end - face.reference_start).norm() : face.reference_start.norm();
-    const double force = point.weight * (law.normal_penalty + law.tangential_penalty) * (place + reach);
+    const double force = point.weight * stiffness_of(surfaces, face.crack) * (place + reach);
     sum += force * force;
   }
   return std::sqrt(sum);

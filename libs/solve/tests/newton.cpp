@@ -280,9 +280,9 @@ TEST(Newton, SaysWhereTheSearchLosesFacesInContact) {
 TEST(Newton, FailsWhereTheRoundingOfTheSpringsHidesTheForces) {
   for (const auto& [scale, converges] : {std::pair{1.0, true}, {100.0, true}, {1e16, false}}) {
     assembly::Model model = models::block(8, NegativeSide::Left);
-    for (auto& law : model.surfaces.laws) {
-      law.normal_penalty *= scale;
-      law.tangential_penalty *= scale;
+    for (auto& springs : model.surfaces.springs) {
+      springs.normal *= scale;
+      springs.tangential *= scale;
     }
     assembly::Assembler assembler(model);
     LinearSolver solver(Factorisation::Unsymmetric);

@@ -18,8 +18,8 @@ inline void discretise(assembly::Model& m, double penalty_scale, double friction
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
   s.element_size = std::sqrt(2.0 * geometry::triangle_area(m.mesh, 0));
-  s.laws.assign(m.cracks.size(),
-                {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size, friction});
+  s.laws.assign(m.cracks.size(), contact::Coulomb{friction});
+  s.springs.assign(m.cracks.size(), {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size});
   s.sides.assign(m.cracks.size(), side);
   s.points = contact::place_points(s, 2);
 }
@@ -34,7 +34,10 @@ inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
 /// Contact by multipliers instead of springs, on all cracks.
 inline void give_hats(assembly::Model& m) {
   auto& s = m.surfaces;
-  for (const auto& law : s.laws) s.mortar.push_back({true, 1.0, 2.0, law.normal_penalty, 1.0 / law.normal_penalty});
+  for (auto& springs : s.springs) {
+    s.mortar.push_back({true, 1.0, 2.0, springs.normal, 1.0 / springs.normal});
+    springs = {};
+  }
   std::vector<contact::HatPlan> plan(s.faces.size());
   for (std::size_t f = 0; f < plan.size(); ++f) {
     const bool both = s.sides[s.faces[f].crack] == contact::NegativeSide::Both;

@@ -6,10 +6,10 @@ namespace cleft {
 namespace {
 
 TEST(InputError, ReadsFileLineColumnKeyProblem) {
-  const InputError error({"scene.toml", 12, 3}, "crack[0].friction", "-1 is out of range; allowed: 0 or greater");
-  EXPECT_STREQ(error.what(), "scene.toml:12:3: crack[0].friction: -1 is out of range; allowed: 0 or greater");
+  const InputError error({"scene.toml", 12, 3}, "part[0].width", "-1 is out of range; allowed: 0 or greater");
+  EXPECT_STREQ(error.what(), "scene.toml:12:3: part[0].width: -1 is out of range; allowed: 0 or greater");
   EXPECT_EQ(error.location().line, 12);
-  EXPECT_EQ(error.key(), "crack[0].friction");
+  EXPECT_EQ(error.key(), "part[0].width");
 }
 
 TEST(InputError, LeavesOutWhatIsUnknown) {

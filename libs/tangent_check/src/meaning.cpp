@@ -3,11 +3,6 @@
 #include "cleft/tangent_check/tangent.hpp"
 
 namespace cleft::tangent_check {
-namespace {
-
-const char* name_of(geometry::Side side) { return side == geometry::Side::Left ? "left" : "right"; }
-
-}  // namespace
 
 std::string describe_component(const assembly::Model& model, Index component) {
   if (component == kNone) return "a displacement on which the force should not depend";

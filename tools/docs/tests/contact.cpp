@@ -1,96 +1,123 @@
-// A contact that cleft does not have: asperities, which get stiffer as they are pressed together,
-//
-//     t_N = -p (-g_N / d)^m    where g_N < 0, without friction,
-//
-// with the pressure p at which they have given way by d. Gap, force and linearisation of the geometry are the
-// library's: a law has to say its traction and how that changes with the gap.
+// A law of friction in a body, by springs and by multipliers. Neither method knows it by name: this file sets it in
+// place of Coulomb's and asks what every law has to hold.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "cleft/contact/pair.hpp"
+#include "cleft/problem/build.hpp"
+#include "cleft/scene/read.hpp"
+#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/newton_rate.hpp"
+#include "cleft/tangent_check/tangent.hpp"
 
-namespace cleft::contact {
+namespace cleft {
+namespace {
 
-struct Asperities {
-  double pressure = 0.0;  // p, Pa
-  double depth = 0.0;     // d, metres
-  double exponent = 2.0;  // m, 1 or greater
+constexpr contact::LimitedCoulomb kLaw{.friction = 0.3, .limit = 2e8};  // about what the faces bear, Pa
 
-  double traction(double gap) const { return gap < 0.0 ? -pressure * std::pow(-gap / depth, exponent) : 0.0; }
-  // d t_N / d g_N, Pa/m
-  double stiffness(double gap) const {
-    return gap < 0.0 ? pressure * exponent / depth * std::pow(-gap / depth, exponent - 1.0) : 0.0;
+struct Method {
+  const char* name;
+  std::vector<std::string> overrides;
+  const char* branch;  // of the tangent, where the faces slide
+};
+
+const std::vector<Method> kMethods{{"springs", {}, "contact slip"},
+                                   {"springs, small strain", {"formulation.kinematics=\"small\""}, "contact slip"},
+                                   {"multipliers", {"crack.main.contact={method=\"mortar\"}"}, "contact hat slip"},
+                                   {"multipliers, both faces",
+                                    {"crack.main.contact={method=\"mortar\"}", "crack.main.negative_side=\"both\""},
+                                    "contact hat slip"}};
+
+// A block with an edge crack whose faces slide, with the law on the crack.
+growth::Evolution body(const Method& method) {
+  auto overrides = method.overrides;
+  overrides.insert(overrides.end(), {"mesh.cells=[8,16]", "loading.steps=25", "loading.outputs=[1.0]"});
+  const auto scene = tangent_check::until_rounding(
+      scene::read_scene(std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/block.toml", overrides));
+  auto model = problem::build_model(scene);
+  model.surfaces.laws = {kLaw};
+  return {scene, std::move(model)};
+}
+
+// Shear traction of everything that slides, over the strength at its pressure. `below_coulomb`: the largest part of
+// Coulomb's strength that the limit takes off.
+struct Sliding {
+  int count = 0;
+  double least = INFINITY, most = 0.0, below_coulomb = 0.0;
+
+  void add(contact::Status status, double normal, double tangential) {
+    if (status != contact::Status::Slip) return;
+    const double strength = kLaw.limit * (1.0 - std::exp(kLaw.friction * normal / kLaw.limit));
+    ++count;
+    least = std::min(least, std::fabs(tangential) / strength);
+    most = std::max(most, std::fabs(tangential) / strength);
+    below_coulomb = std::max(below_coulomb, 1.0 + strength / (kLaw.friction * normal));
   }
 };
 
-// The force of a pair of points and its exact derivative. `force` takes the traction from the state, and from the law
-// in the constants only its stiffness: without an anchor there is no tangential one.
-PairForce force(const Asperities& law, const PairPoints& points, PairConstants constants) {
-  constants.anchored = false;
-  PairState state = evaluate(points, constants);
-  constants.law.normal_penalty = law.stiffness(state.normal_gap);
-  state.traction = {Status::Stick, law.traction(state.normal_gap), 0.0};
-  return force(points, constants, state);
+Sliding sliding(const solve::LoadStepper& stepper) {
+  Sliding out;
+  const auto& nodes = stepper.assembler().multipliers().nodes();
+  for (const auto& node : nodes) out.add(node.status, node.normal, node.tangential);
+  if (nodes.empty())
+    for (const auto& pair : stepper.pairs())
+      out.add(pair.state.traction.status, pair.state.traction.normal, pair.state.traction.tangential);
+  return out;
 }
 
-namespace {
-
-using Inputs = Eigen::Matrix<double, kPairInputs, 1>;
-
-PairPoints unpack(const Inputs& v) {
-  return {v.segment<2>(0), v.segment<2>(2), v.segment<2>(4), v.segment<2>(6), v.segment<2>(8), v.segment<2>(10)};
-}
-
-// A lower face that slopes, and an upper one that dips into it.
-Inputs example_inputs() {
-  Inputs v;
-  v << 0.0, 0.0, 1.1, 0.1, -0.4, -0.08, 0.9, 0.02, 0.0, 0.0, 0.0, 0.0;
-  return v;
-}
-
-PairConstants example_constants() {
-  PairConstants c;
-  c.weight = 0.7;
-  c.eta = 0.3;
-  c.share_end = 1.0;
-  return c;
-}
-
-const Asperities kLaw{.pressure = 3.0, .depth = 0.05};
-
-TEST(ExampleContact, PressesByThePowerOfTheGap) {
-  const PairPoints points = unpack(example_inputs());
-  const PairConstants c = example_constants();
-  const double gap = evaluate(points, c).normal_gap;
-  ASSERT_LT(gap, -0.01);
-  const auto f = force(kLaw, points, c).force;
-  const Vec2 on_own_face = f.segment<2>(0) + f.segment<2>(2), on_partner = f.segment<2>(4) + f.segment<2>(6);
-  EXPECT_NEAR(on_own_face.norm(), c.weight * 3.0 * std::pow(gap / 0.05, 2), 1e-12);
-  EXPECT_LT((on_own_face + on_partner).norm(), 1e-14);
-}
-
-TEST(ExampleContact, TangentIsTheDerivativeOfTheForce) {
-  constexpr double kStep = 1e-6;
-  const PairForce exact = force(kLaw, unpack(example_inputs()), example_constants());
-  for (int k = 0; k < kPairOutputs; ++k) {  // anchor and mouth play no part
-    Inputs up = example_inputs(), down = up;
-    up[k] += kStep;
-    down[k] -= kStep;
-    const Eigen::Matrix<double, kPairOutputs, 1> change =
-        (force(kLaw, unpack(up), example_constants()).force - force(kLaw, unpack(down), example_constants()).force) /
-        (2.0 * kStep);
-    EXPECT_LT((change - exact.tangent.col(k)).norm(), 1e-8 * exact.tangent.norm()) << "input " << k;
+TEST(ExampleContact, FacesThatSlideBearTheStrengthAtTheirPressure) {
+  for (const auto& method : kMethods) {
+    auto block = body(method);
+    while (!block.done()) ASSERT_TRUE(std::holds_alternative<growth::Step>(block.advance())) << method.name;
+    const Sliding seen = sliding(block.stepper());
+    EXPECT_GT(seen.count, 3) << method.name;
+    EXPECT_NEAR(seen.least, 1.0, 1e-9) << method.name;
+    EXPECT_NEAR(seen.most, 1.0, 1e-9) << method.name;
+    EXPECT_GT(seen.below_coulomb, 0.2) << method.name << ": the limit must matter";
   }
 }
 
-TEST(ExampleContact, LetsGoWhereTheFacesPart) {
-  Inputs apart = example_inputs();
-  for (const int y : {5, 7}) apart[y] += 0.5;
-  const PairForce f = force(kLaw, unpack(apart), example_constants());
-  EXPECT_EQ(f.force.norm(), 0.0);
-  EXPECT_EQ(f.tangent.norm(), 0.0);
+TEST(ExampleContact, TangentIsTheDerivativeOfTheForce) {
+  for (const auto& method : kMethods) {
+    auto block = body(method);
+    tangent_check::TangentReport report;
+    EXPECT_FALSE(tangent_check::visit_between(block, 3, [&](const tangent_check::StateBetween& b) {
+      EXPECT_FALSE(tangent_check::check_tangent(b.model, b.before.history, b.displacement, b.load, 1e-6, report));
+      return true;
+    }));
+    EXPECT_LT(report.worst(), 1e-8) << method.name;
+    EXPECT_TRUE(report.enough()) << method.name;
+    EXPECT_GT(report.blocks[method.branch].entries, 0) << method.name;
+  }
+}
+
+TEST(ExampleContact, NewtonConvergesQuadratically) {
+  for (const auto& method : kMethods) {
+    auto block = body(method);
+    std::vector<tangent_check::IncrementRate> rates;
+    while (!block.done()) {
+      const auto out = block.advance();
+      ASSERT_TRUE(std::holds_alternative<growth::Step>(out)) << method.name;
+      const solve::Step& step = std::get<growth::Step>(out);
+      auto iterations = step.iterations;
+      iterations.push_back(step.left);
+      rates.push_back({step.number, step.load, iterations, solve::convergence_order(iterations),
+                       solve::order_at_unit_scale(iterations)});
+    }
+    const auto verdict = tangent_check::judge(rates, {});
+    EXPECT_TRUE(verdict.holds) << method.name << ": lowest order " << verdict.lowest();
+  }
+}
+
+TEST(ExampleContact, EnergiesBalance) {
+  for (const auto& method : kMethods) {
+    auto block = body(method);
+    while (!block.done()) ASSERT_TRUE(std::holds_alternative<growth::Step>(block.advance())) << method.name;
+    const auto& energies = block.stepper().state().energies;
+    EXPECT_GT(energies.friction_dissipation, 0.01 * energies.largest) << method.name;
+    EXPECT_LT(energies.relative_imbalance(), 5e-3) << method.name;
+  }
 }
 
 }  // namespace
-}  // namespace cleft::contact
+}  // namespace cleft

@@ -13,6 +13,7 @@
 #include "cleft/growth/evolution.hpp"
 #include "cleft/growth/intensities.hpp"
 #include "cleft/problem/build.hpp"
+#include "cleft/problem/tip_reach.hpp"
 #include "cleft/scene/read.hpp"
 
 namespace cleft::growth {

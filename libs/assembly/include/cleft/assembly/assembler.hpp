@@ -61,6 +61,8 @@ class Assembler {
     std::array<Index, unknowns> stride;                       // of column
   };
 
+  struct PairColumns;  // the unknowns that the force at a contact point depends on
+
   // A face that was opposite a strip of hats, and where in the matrix their unknowns depend on each other: row by row.
   struct Opposite {
     Index face;
@@ -75,6 +77,7 @@ class Assembler {
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::Memory>& memory);
+  void add_pair(const PairColumns& columns, const contact::PairForce& force);
   void assemble_hats(const contact::HatMemory& memory);
   void add_overlap(std::size_t number);
   void add_anchor(Index piece, Index face);
@@ -82,7 +85,7 @@ class Assembler {
   void add_condition(Index node);
   template <class Law, class Point, std::size_t unknowns>
   bool add_point(const Law& law, const VecX& displacement, const History& history, std::size_t number,
-                 const Point& point, double weight, const Places<unknowns>& places);
+                 const Point& point, const Places<unknowns>& places);
   template <class Law>
   constitutive::PatchResponse respond(const Law& law, const DeformedPatch& deformed, const Patch& patch,
                                       const History& history);

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cleft/contact/law.hpp"
+#include "cleft/contact/traction.hpp"
+#include "cleft/support/types.hpp"
 
 namespace cleft::contact {
 
@@ -16,19 +17,20 @@ struct NodeChoice {
   bool operator==(const NodeChoice&) const = default;
 };
 
-/// The law of a node.
+/// The law of a node, linear in the pressure: |f_T| <= cohesion - friction f_N, where that is not negative.
 struct NodeLaw {
   double friction = 0.0;
-  double touch = 0.0;  ///< N/m: below it a trial is rounding
-  bool held = true;    ///< it was closed before: it may bear shear, and opens only beyond `touch`
+  double touch = 0.0;     ///< N/m: below it a trial is rounding
+  bool held = true;       ///< it was closed before: it may bear shear, and opens only beyond `touch`
+  double cohesion = 0.0;  ///< N/m
 };
 
 /// Contact of n nodes, linear but for what each of them does. Node i has the components 2 i (normal) and 2 i + 1
 /// (tangential) of forces f = force + by_force w and levels g = level + by_level w, both in N/m, with 2 n unknowns w:
 ///
 ///     open    f_N = 0                  where r_N = f_N + g_N >= 0
-///     stick   g_N = 0, g_T = 0         where |r_T| <= -mu r_N, r_T = f_T + g_T
-///     slip    g_N = 0, f_T = -mu f_N sign(r_T)     else
+///     stick   g_N = 0, g_T = 0         where |r_T| <= cohesion - mu r_N, r_T = f_T + g_T
+///     slip    g_N = 0, f_T = (cohesion - mu f_N) sign(r_T)     else
 ///     touch   g_N = 0, f_T = 0         if it was not held before
 struct ContactProblem {
   std::vector<NodeLaw> laws;           ///< n

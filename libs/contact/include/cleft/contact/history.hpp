@@ -13,16 +13,16 @@ struct Advance {
   double pressure = 0.0;  ///< of the pressure along sloping faces, and of springs that lose their partner
 };
 
-/// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| = mu |t_N|, so that the next
-/// increment starts from the traction just reached; a point that touches for the first time is anchored at its partner;
-/// an open one forgets its anchor.
+/// Memory after a converged increment. A sliding point's anchor moves to where |eps_T g_T| is the strength, so that the
+/// next increment starts from the traction just reached; a point that touches for the first time is anchored at its
+/// partner; an open one forgets its anchor.
 ///
 /// What is not stored, with the ramp w, the slide ds of the partner along t, its part ds_p beyond the elastic one and
 /// the slope r = (e . n) / (e . t) of the partner's segment e against the point's own:
 ///
 ///     w t_T ds_p            friction
 ///     w t_N r ds            the pressure, where the faces are not parallel and the partner climbs or descends
-///     -psi dw               springs that lose their partner at a mouth, psi = t_N^2/(2 eps_N) + t_T^2/(2 eps_T)
+///     -psi dw               springs that lose their partner at a mouth, psi = Springs::stored_energy
 ///
 /// A point sticks until its traction has reached the strength, slides from there on, and no longer where it opens:
 /// strength times slide, so reckoned that it is exact where the strength stays the same. The others are by the

@@ -10,14 +10,15 @@
 ///
 ///     Z_i(q) = sum_e kappa_e l_e / 12 (q_i - q_j),     kappa_e = (tau + [1 - cover_e / cover_0]_+) h / (2 mu)
 ///
-/// the conditions are those of exact contact with Coulomb friction, but for Z:
+/// the conditions are those of exact contact, but for Z, with the strength s(p) of the interface law at a pressure p:
 ///
 ///     open     l_N = 0                            where   L_i l_N + c (G_i - Z_i(l_N)) >= 0   (trial r_N)
 ///     closed   G_i - Z_i(l_N) = 0                 else
-///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= -mu r_N   (trial r_T),
+///     stick    S_i - Z_i(l_T - o l_T,past) = 0    where   |L_i l_T + c (S_i - Z_i)| <= L_i s(-r_N / L_i)   (trial
+///     r_T),
 ///                                                 or l_T is above half of the strength and r_T l_T < 0: what slid one
 ///                                                 way must stick before it slides the other
-///     slip     l_T = -mu l_N sign(r_T)            else
+///     slip     l_T = s(-l_N) sign(r_T)            else
 ///     touch    l_T = 0                            where the node was open when the last increment had converged
 ///
 /// Z with tau of about 1 is the pressure projection of Dohrmann and Bochev (Int. J. Numer. Meth. Fluids 46 (2004) 183):
@@ -48,14 +49,15 @@ namespace cleft::contact {
 
 /// What the hats remember between increments.
 struct HatMemory {
-  std::vector<Status> status;    ///< per node
-  VecX multiplier;               ///< l_N and l_T of each node, Pa
-  VecX mismatch;                 ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
-  std::vector<double> coverage;  ///< per interval, 0 to 1
-  std::vector<Trail> trails;     ///< anchors
-  std::vector<double> slope;     ///< per node, of what lies opposite against the face, the mean over its hat
-  std::vector<double> smooth;    ///< per node, Z(l_N), m^2
-  double stored = 0.0;           ///< energy in Z, J/m
+  std::vector<Status> status;         ///< per node
+  VecX multiplier;                    ///< l_N and l_T of each node, Pa
+  VecX mismatch;                      ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
+  std::vector<double> coverage;       ///< per interval, 0 to 1
+  std::vector<Trail> trails;          ///< anchors
+  std::vector<double> slope;          ///< per node, of what lies opposite against the face, the mean over its hat
+  std::vector<double> smooth;         ///< per node, Z(l_N), m^2
+  double stored = 0.0;                ///< energy in Z, J/m
+  std::vector<InterfaceState> state;  ///< of the interface law, per node; slip is the mean over its hat
 };
 HatMemory hats_at_rest(const Surfaces& surfaces);
 
@@ -137,7 +139,11 @@ class Multipliers {
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
   Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
   void find_reached(const Surfaces& surfaces);
+  struct Smoothing;
+  class Rows;
+  Smoothing smooth(const Surfaces& surfaces, Index node, const HatMemory& memory);
   void judge(const Surfaces& surfaces, Index node, const HatMemory& memory, Conditions conditions);
+  void judge_by_trial(const Surfaces& surfaces, Index node, const HatMemory& memory, Rows& rows);
   HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
   double stored_energy(const Surfaces& surfaces) const;
   double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;

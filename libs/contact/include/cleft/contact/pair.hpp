@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "cleft/contact/law.hpp"
+#include "cleft/contact/springs.hpp"
+#include "cleft/support/types.hpp"
 
 namespace cleft::contact {
 
@@ -20,7 +21,9 @@ inline constexpr int kPairOutputs = 8;  ///< forces on the four segment ends, in
 
 /// What does not change while the body moves.
 struct PairConstants {
-  Law law;
+  InterfaceLaw law;
+  Springs springs;
+  InterfaceState begin;  ///< of the law, at the begin of the increment
   Touch touch;
   double weight = 0.0;       ///< reference length that the point stands for, metres (unit thickness)
   double eta = 0.0;          ///< the point's place on its segment, 0 at the start, 1 at the end
@@ -34,6 +37,8 @@ struct PairConstants {
 /// Gaps, tractions and the partner at the current positions.
 struct PairState {
   Traction traction;
+  Stiffness stiffness;          ///< of the springs; mortar contact has none
+  InterfaceState end;           ///< of the law, should the increment end here
   double normal_gap = 0.0;      ///< g_N, metres
   double tangential_gap = 0.0;  ///< g_T, metres; 0 without an anchor
   double partner = 0.0;         ///< the partner's place on its segment (outside [0, 1] past a mouth)

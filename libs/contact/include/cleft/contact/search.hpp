@@ -55,6 +55,7 @@ class Search {
  private:
   void find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
                     std::vector<Pair>& pairs);
+  void collect_partners(const Surfaces& surfaces);
 
   FacePositions positions_;
   geometry::SegmentGrid grid_;
@@ -65,6 +66,7 @@ class Search {
 /// The six points of a pair, from current positions.
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
                        const Memory& memory);
-PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair);
+PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
+                             const Memory& memory);
 
 }  // namespace cleft::contact

@@ -6,13 +6,17 @@
 #include <vector>
 
 #include "cleft/contact/hats.hpp"
-#include "cleft/contact/law.hpp"
+#include "cleft/contact/springs.hpp"
 #include "cleft/enrichment/stencil.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::contact {
 
 /// Which side of a crack carries the contact quadrature.
 enum class NegativeSide : std::uint8_t { Right, Left, Both };
+constexpr std::array<Named<NegativeSide>, 3> names_of(NegativeSide) {
+  return {{{NegativeSide::Left, "left"}, {NegativeSide::Right, "right"}, {NegativeSide::Both, "both"}}};
+}
 
 /// A quadrature point of a negative face.
 struct Point {
@@ -27,7 +31,7 @@ struct Point {
 struct Memory {
   Index anchor_face = kNone;  ///< kNone: no anchor
   double anchor_place = 0.0;  ///< 0 at the start of the face, 1 at its end, beyond them where the face is continued
-  double slip = 0.0;          ///< cumulative, metres
+  InterfaceState state{};     ///< of the interface law
   // Of the last converged increment, for the work of the next one:
   double normal = 0.0, tangential = 0.0;  ///< t_N and t_T, Pa
   double ramp = 1.0;                      ///< PairState::ramp, 0 without a partner
@@ -38,7 +42,8 @@ struct Memory {
 struct Surfaces {
   std::vector<enrichment::Face> faces;
   std::vector<Point> points;
-  std::vector<Law> laws;            ///< per crack
+  std::vector<InterfaceLaw> laws;   ///< per crack
+  std::vector<Springs> springs;     ///< per crack, of penalty contact; of a crack with mortar contact it plays no part
   std::vector<NegativeSide> sides;  ///< per crack
   std::vector<Mortar> mortar{};     ///< per crack; empty: all by penalty
   Hats hats{};                      ///< on the negative faces of the cracks with mortar contact

@@ -7,9 +7,9 @@
 ///
 ///     g_N = d . N,     g_T = d . T + (X_A - X) . T,     f = W (N_+ - N_-)^T t_0,
 ///
-/// where the anchor X_A moves along the undeformed face as the point slides, and the law is that of law.hpp. The force
-/// is linear in the displacement on each branch of the law. Faces may overlap visibly, as displacements do not act back
-/// on the geometry.
+/// where the anchor X_A moves along the undeformed face as the point slides, and springs and law are those of
+/// springs.hpp. The force is linear in the displacement on each branch of the law. Faces may overlap visibly, as
+/// displacements do not act back on the geometry.
 #pragma once
 
 #include "cleft/contact/search.hpp"

@@ -59,6 +59,12 @@ struct FacePiece {
   Vec2 traction;        ///< Pa, on the body of this side
 };
 
+/// What loads the body near a tip.
+struct TipLoads {
+  std::vector<FacePiece> faces;
+  Vec2 body_force = Vec2::Zero();  ///< N/m^3, uniform
+};
+
 /// Interaction integral in its domain form (Yau, Wang and Corten 1980; Shih and Asaro 1988), for each mode
 ///
 ///     I = int [ s_ij v_i,1 + z_ij u_i,1 - s_mn v_m,n d_1j ] q_,j dA - int b_i v_i,1 q dA - int_faces t_i v_i,1 q ds,
@@ -68,10 +74,9 @@ struct FacePiece {
 /// smoothly from 1 to 0 at the ball's reach. The third integral, over both faces, is that of contact: without it K
 /// depends on the reach where closed faces carry traction; it is exact for v_i,1, which is singular.
 ///
-/// `points` may hold those of other tips. `body_force` is b, N/m^3 (uniform).
+/// `points` may hold those of other tips. t and b are those of `loads`.
 Intensities interaction_integral(const geometry::TipBall& ball, Index tip, const std::vector<TipPoint>& points,
-                                 const std::function<PointState(const TipPoint&)>& state,
-                                 const std::vector<FacePiece>& faces, const PlaneStrain& body,
-                                 const Vec2& body_force = Vec2::Zero());
+                                 const std::function<PointState(const TipPoint&)>& state, const TipLoads& loads,
+                                 const PlaneStrain& body);
 
 }  // namespace cleft::enrichment

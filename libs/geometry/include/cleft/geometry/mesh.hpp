@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cleft/support/names.hpp"
 #include "cleft/support/types.hpp"
 
 namespace cleft::geometry {
@@ -23,6 +24,11 @@ struct Mesh {
 };
 
 enum class Diagonal { Right, Left, Alternating };
+constexpr std::array<Named<Diagonal>, 3> names_of(Diagonal) {
+  return {{{Diagonal::Right, "right", "lower left to upper right"},
+           {Diagonal::Left, "left"},
+           {Diagonal::Alternating, "alternating"}}};
+}
 
 /// A box of `cells` rectangles, two triangles each, with boundaries left, right, bottom, top.
 /// `Right` diagonals run from lower left to upper right. Nodes are numbered row by row from the lower left.

@@ -13,6 +13,7 @@
 #include "cleft/geometry/delaunay.hpp"
 #include "cleft/solve/stepping.hpp"
 #include "cleft/support/error.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::problem {
 
@@ -70,6 +71,9 @@ bool is_plastic(const MaterialSpec& material);
 bool is_viscous(const MaterialSpec& material);
 
 enum class Kinematics : std::uint8_t { Finite, Small };
+constexpr std::array<Named<Kinematics>, 2> names_of(Kinematics) {
+  return {{{Kinematics::Finite, "finite"}, {Kinematics::Small, "small"}}};
+}
 
 /// A tip advances where the largest principal value of the mean Cauchy stress around it reaches a strength.
 struct Rankine {
@@ -185,6 +189,7 @@ struct Specification {
   std::vector<MaterialSpec> materials;  ///< at least one
   Kinematics kinematics = Kinematics::Finite;
   bool f_bar = false;           ///< patches of two cells share their change of volume and their pressure
+  Location formulation_at;
   double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
   std::vector<CrackSpec> cracks;
   std::vector<BoundarySpec> boundaries;

@@ -1,21 +1,22 @@
 /// \file
-/// Every key that a scene or study may have: what readers check names against and documentation is printed from.
+/// Every key that a scene or study may have, as the tables that they are read by have it.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace cleft::scene {
 
 struct Key {
-  std::string_view section;  ///< dotted, array indices left out; "" for the top level
-  std::string_view name;
-  std::string_view type;
-  std::string_view meaning;
+  std::string section;  ///< dotted, array indices left out; "" for the top level
+  std::string name;
+  std::string type;
+  std::string meaning;  ///< what it is, what is allowed and the default
 };
 
-/// All keys, section by section.
+/// All keys, each section's after the key that it stands at.
 std::span<const Key> scene_keys();
 
 /// The key of the section nearest to a mistyped one, or empty if none is near.

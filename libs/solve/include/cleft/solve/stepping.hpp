@@ -8,11 +8,15 @@
 #include "cleft/assembly/equilibrium.hpp"
 #include "cleft/assembly/reactions.hpp"
 #include "cleft/solve/newton.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::solve {
 
 /// What an increment is a part of: of the load always, or also of the path of solutions, where the load may fall.
 enum class Control : std::uint8_t { Load, Path };
+constexpr std::array<Named<Control>, 2> names_of(Control) {
+  return {{{Control::Load, "load"}, {Control::Path, "path", "where the load fails to rise, that which turns back"}}};
+}
 
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1

@@ -12,6 +12,14 @@ struct Location {
   std::string file;
   int line = 0;
   int column = 0;
+  std::string section{};  ///< what the input calls the part that stands there; empty: nothing
+
+  /// What the input calls a key of that section.
+  std::string key(const std::string& name) const { return section.empty() ? name : section + "." + name; }
+  /// `SECTION 'NAME'`, or KIND where the section has no name of its own.
+  std::string part(const std::string& kind, const std::string& name) const {
+    return (section.empty() ? kind : section) + " '" + name + "'";
+  }
 };
 
 /// Wrong input: the message reads `FILE:LINE:COLUMN: key: what is wrong, what is allowed`.

@@ -7,9 +7,8 @@
 
 namespace cleft {
 
-/// The name that begins with the mistyped one (of three letters at least), or else that which the fewest letters put
-/// in, left out or changed make of it; empty if it takes more than two, or more than a third of its letters. Of several
-/// the first.
+/// The first name that begins with `mistyped`, if that has three letters or more. Otherwise the name at the least
+/// Levenshtein distance, the first of several. Empty if that distance exceeds both two and a third of the letters.
 std::string_view nearest(std::string_view mistyped, std::span<const std::string_view> names);
 
 }  // namespace cleft
