@@ -43,7 +43,8 @@ Parameters::Parameters(const FieldSpec& s, std::map<std::string, double> default
     if (!values.contains(key)) {
       std::string allowed;
       for (const auto& [name, unused] : values) allowed += " " + name;
-      throw InputError(spec.at, spec.at.key(key), "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
+      throw InputError(spec.at, spec.at.key(key),
+                       "field '" + spec.name + "' has no such parameter; allowed:" + allowed);
     }
     values[key] = value;
   }

@@ -145,8 +145,7 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
     };
     for (const auto& [number, claim] : claims) {
       if (!claim.holds(point)) continue;
-      if (m.material_of[p] != rest)
-        fail(fmt::format("is filled by materials {} and {}", m.material_of[p], number));
+      if (m.material_of[p] != rest) fail(fmt::format("is filled by materials {} and {}", m.material_of[p], number));
       m.material_of[p] = number;
     }
     if (m.material_of[p] == kNone)
