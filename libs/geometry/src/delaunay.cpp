@@ -78,13 +78,13 @@ double expected_nodes(const Outline& outline, const SizeField& size) {
 
 void check(const Outline& outline, const SizeField& size) {
   if (const auto problem = what_is_wrong(outline); !problem.empty())
-    throw InputError({}, "mesh.outline", problem + "; allowed: simple polygons, holes inside the outline and apart");
+    throw InputError({}, "outline", problem + "; allowed: simple polygons, holes inside the outline and apart");
   const auto usable = [](double h) { return h > 0.0 && std::isfinite(h); };
   bool all = usable(size.far) && usable(size.gradation);
   for (const auto& source : size.sources) all = all && usable(source.size) && !source.line.empty();
-  if (!all) throw InputError({}, "mesh.size", "sizes and gradation must be positive");
+  if (!all) throw InputError({}, "size", "sizes and gradation must be positive");
   if (const double nodes = expected_nodes(outline, size); nodes > kMostNodes)
-    throw InputError({}, "mesh.size",
+    throw InputError({}, "size",
                      fmt::format("asks for about {:.2g} nodes; allowed: at most {:.0e}", nodes, kMostNodes));
 }
 

@@ -11,8 +11,8 @@ namespace cleft::geometry {
 
 Mesh structured_mesh(const std::array<double, 4>& box, const std::array<int, 2>& cells, Diagonal diagonal) {
   if (!(box[2] > box[0]) || !(box[3] > box[1]))
-    throw InputError({}, "mesh.box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
-  if (cells[0] < 1 || cells[1] < 1) throw InputError({}, "mesh.cells", "at least one cell in each direction is needed");
+    throw InputError({}, "box", "the box is empty; allowed: xmin < xmax and ymin < ymax");
+  if (cells[0] < 1 || cells[1] < 1) throw InputError({}, "cells", "at least one cell in each direction is needed");
   return mesh_of_lines(even_lines(box[0], box[2], cells[0]), even_lines(box[1], box[3], cells[1]), diagonal);
 }
 

@@ -17,6 +17,7 @@
 #include "cleft/results/results.hpp"
 #include "cleft/scene/json.hpp"
 #include "cleft/scene/solved_keys.hpp"
+#include "cleft/simulation/failure_words.hpp"
 #include "cleft/simulation/remarks.hpp"
 #include "cleft/support/timer.hpp"
 #include "remarks_at_end.hpp"
@@ -119,7 +120,7 @@ nlohmann::ordered_json summary(const problem::Specification& scene, const growth
   nlohmann::ordered_json j;
   j["cleft"] = CLEFT_VERSION;
   j["end"] = ends[static_cast<int>(result.end)];
-  if (result.end == RunResult::End::Failed) j["failure"] = assembly::describe(result.failure);
+  if (result.end == RunResult::End::Failed) j["failure"] = result.reason;
   j["load"] = result.load;
   j["mesh"] = {{"nodes", model.mesh.nodes.size()},
                {"elements", model.mesh.triangles.size()},
@@ -283,6 +284,8 @@ RunResult run(const problem::Specification& scene, const RunOptions& options) {
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
       result.end = RunResult::End::Failed;
       result.failure = *failure;
+      result.reason = describe(*failure, evolution.model());
+      result.advice = advice(*failure, evolution.model());
       break;
     }
     const auto& step = std::get<growth::Step>(outcome);

@@ -1,17 +1,12 @@
 #include "cleft/solve/newton.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "active_set.hpp"
 #include "bordered.hpp"
 #include "chatter.hpp"
-#include "cleft/assembly/advice.hpp"
-#include "cleft/assembly/places.hpp"
 #include "contact_step.hpp"
 #include "loose_parts.hpp"
 #include "prescription.hpp"
@@ -58,26 +53,23 @@ double extent_of(const geometry::Mesh& mesh) {
   return (high - low).norm();
 }
 
-// Where a correction that is larger than allowed is largest; empty if none is.
-std::string flew_away(const assembly::Model& model, const VecX& du, double bound) {
-  Eigen::Index worst = 0;
-  const double most = du.cwiseAbs().maxCoeff(&worst);
-  if (most <= bound) return {};
-  const char* unit = worst / 2 < model.unknowns.displacements() ? " m" : " m times its stiffness";
-  return fmt::format("{} would move by {:.1e}{}", place_of(model, static_cast<Index>(worst)), most, unit);
+struct Extreme {
+  Index component = kNone;
+  double size = 0.0;  // without sign
+};
+
+Extreme largest(const VecX& values) {
+  Eigen::Index at = 0;
+  const double size = values.cwiseAbs().maxCoeff(&at);
+  return {static_cast<Index>(at), size};
 }
 
 // What an iteration that does not converge looks like at its end.
-std::string unrest(const assembly::Model& model, const Iteration& last, int iterations, const VecX& residual,
-                   int halved) {
-  Eigen::Index worst = 0;
-  residual.cwiseAbs().maxCoeff(&worst);
-  std::string out = fmt::format("relative residual {:.2e} after {} iterations, largest at {}", last.residual,
-                                iterations, place_of(model, static_cast<Index>(worst)));
-  if (const int changes = last.status_changes + last.partner_changes; changes > 0)
-    out += fmt::format(", {} points still changing between open, stick, slip or flow", changes);
-  if (halved > 0) out += fmt::format(" (they chatter; {} corrections were halved)", halved);
-  return out;
+assembly::Failure unbalanced(const assembly::Model& model, const Iteration& last, int iterations, const VecX& residual,
+                             int halved) {
+  return {assembly::FailureKind::NoConvergence,
+          assembly::Unbalanced{last.residual, iterations, position_of(model, largest(residual).component),
+                               last.status_changes + last.partner_changes, halved}};
 }
 
 double largest_gradient(const assembly::Model& model, const VecX& du) {
@@ -115,13 +107,6 @@ void eliminate(const std::vector<assembly::Constraint>& constraints, double diag
     const auto own = matrix.find(block, block);
     values[own.start + direction * own.stride + direction] = diagonal;
   }
-}
-
-// Springs of one side's points jump where these pass a corner of the other; hats and springs of both sides share it.
-std::string remedy(const assembly::Model& model, int halved) {
-  const std::string all = softer(model, model.cracks.empty() ? "" : " at the crack");
-  return halved > 0 && has_springs(model) ? all + "; or, where corners pass each other, contact.method = \"mortar\""
-                                          : all;
 }
 
 // Where flow goes on without resistance the matrix is singular, and a load that rises along the path with it: the least
@@ -167,10 +152,19 @@ std::optional<Correction> settle_contact(const assembly::Model& model, const ass
   return out;
 }
 
+// Of a correction that cannot be made.
+assembly::Failure useless(const assembly::Model& model, Factors factors, const VecX& du, bool finite) {
+  using assembly::FailureKind;
+  if (!finite)
+    return {factors == Factors::Regular ? FailureKind::NotFinite : FailureKind::Singular, assembly::NoCorrection{}};
+  const auto [component, size] = largest(du);
+  return {FailureKind::Singular, assembly::FarCorrection{position_of(model, component), size}};
+}
+
 // A part that nothing but contact holds has left, correction by correction.
 assembly::Failure left_behind(const assembly::Model& model, const VecX& moved) {
-  return {assembly::FailureKind::Singular, flew_away(model, moved, 0.0),
-          "prescribing more components, or bringing the parts into contact (is every part of the body held?)"};
+  const auto [component, size] = largest(moved);
+  return {assembly::FailureKind::Singular, assembly::LostPart{position_of(model, component), size}};
 }
 
 }  // namespace
@@ -205,8 +199,7 @@ Increment solve_increment(const assembly::Model& model, const std::vector<assemb
   double first_residual = 0.0, last_residual = std::numeric_limits<double>::infinity();
   for (int i = 0;; ++i) {
     if (along_path && !(load > goal.lowest)) {
-      out.failure = assembly::Failure{assembly::FailureKind::NoConvergence,
-                                      fmt::format("its load fell below {:.6g}", goal.lowest), remedy(model, 0)};
+      out.failure = assembly::Failure{assembly::FailureKind::NoConvergence, assembly::LoadTooLow{goal.lowest}};
       return out;
     }
     Iteration it;
@@ -239,10 +232,7 @@ Increment solve_increment(const assembly::Model& model, const std::vector<assemb
     const bool in_place = change.size() == 0 || change.cwiseAbs().maxCoeff() == 0.0;
     if (residual > 0.0 && resolution.hidden_by_springs()) {
       out.failure =
-          assembly::Failure{assembly::FailureKind::NoConvergence,
-                            fmt::format("the rounding of the contact springs, {:.1e} N/m, hides the forces, {:.1e} N/m",
-                                        rounding.contact, scale),
-                            "a softer penalty"};
+          assembly::Failure{assembly::FailureKind::NoConvergence, assembly::RoundingOfSprings{rounding.contact, scale}};
       return out;
     }
     // theory (9.2)
@@ -259,7 +249,7 @@ Increment solve_increment(const assembly::Model& model, const std::vector<assemb
         out.left = it;
         out.force = scale;
         out.rounded = converged ? 0.0 : missing;
-        if (!converged) out.failure = resolution.refuse(model, residual);
+        if (!converged) out.failure = resolution.refuse(residual);
         return out;
       }
     }
@@ -267,8 +257,7 @@ Increment solve_increment(const assembly::Model& model, const std::vector<assemb
     if (i <= 1) first_residual = std::max(first_residual, residual);  // a body at rest is in balance before it is moved
     chatter.look_at(i, it, again);
     if (chatter.is_over() || (i > 3 && residual > 1e8 * (first_residual + floor))) {
-      out.failure = assembly::Failure{assembly::FailureKind::NoConvergence, unrest(model, it, i, rhs, chatter.halved()),
-                                      remedy(model, chatter.halved())};
+      out.failure = unbalanced(model, it, i, rhs, chatter.halved());
       return out;
     }
 
@@ -303,21 +292,13 @@ Increment solve_increment(const assembly::Model& model, const std::vector<assemb
     }
     it.factor_seconds = s.analyse + s.factorise + s.solve - before;
     const bool finite = factors != Factors::None && du.allFinite();
-    const std::string lost = finite ? flew_away(model, du, factors == Factors::Regular ? kFlewAway * reach : 0.0)
-                                    : "no factors, or none that are finite";
-    if (factors != Factors::Regular || !lost.empty()) {
+    const bool bounded = finite && largest(du).size <= (factors == Factors::Regular ? kFlewAway * reach : 0.0);
+    if (factors != Factors::Regular || !bounded) {
       auto held = along_path || it.kept
                       ? std::nullopt
                       : correction_with_parts_held(model, constraints, rhs, reach, assembler.matrix(), solver);
       if (!held) {
-        out.failure = assembly::Failure{
-            factors == Factors::Regular && !finite ? assembly::FailureKind::NotFinite : assembly::FailureKind::Singular,
-            lost,
-            model.has_memory()
-                ? "hardening or a lower load (the body may have reached its limit load), or prescribing more "
-                  "components (is every part of the body held?)"
-                : "prescribing more components, or bringing the parts into contact (is every part of the body "
-                  "held?)"};
+        out.failure = useless(model, factors, du, finite);
         return out;
       }
       du = std::move(*held);

@@ -1,7 +1,5 @@
 #include "rounding.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -78,15 +76,12 @@ bool Resolution::loaded() const {
          largest_ > kAbove * rounding_.total();
 }
 
-std::optional<assembly::Failure> Resolution::refuse(const assembly::Model& model, double residual) const {
+std::optional<assembly::Failure> Resolution::refuse(double residual) const {
   if (!(missing(residual) > kUnbalanced)) return std::nullopt;
-  const char* what = "a softer penalty";
-  if (rounding_.bulk > rounding_.contact)
-    what = model.is_small_strain() ? "displacements that move the body less as a whole, or a softer material"
-                                   : "larger strains, a softer material, or formulation.kinematics = \"small\"";
-  return assembly::Failure{
-      assembly::FailureKind::NoConvergence,
-      fmt::format("rounding leaves a residual of {:.1e} N/m, {:.1e} of the forces", residual, missing(residual)), what};
+  using Of = assembly::RoundingOfForces::Of;
+  return assembly::Failure{assembly::FailureKind::NoConvergence,
+                           assembly::RoundingOfForces{residual, missing(residual),
+                                                      rounding_.bulk > rounding_.contact ? Of::Bulk : Of::Springs}};
 }
 
 }  // namespace cleft::solve

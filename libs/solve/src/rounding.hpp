@@ -29,7 +29,7 @@ class Resolution {
   bool hidden_by_springs() const;
 
   /// Of an iteration that rounding has ended: why its residual, N/m, is none to accept; nothing if it is.
-  std::optional<assembly::Failure> refuse(const assembly::Model& model, double residual) const;
+  std::optional<assembly::Failure> refuse(double residual) const;
 
  private:
   bool loaded() const;

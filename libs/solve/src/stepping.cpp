@@ -1,7 +1,5 @@
 #include "cleft/solve/stepping.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -147,17 +145,11 @@ void LoadStepper::go_back_to(const Committed& before) {
 
 // What ends the run: the failure of the last attempt and how small that was.
 assembly::Failure LoadStepper::given_up(assembly::Failure failure, double load, double size) const {
-  const std::string place = failure.place.empty() ? "" : failure.place + ", ";
-  failure.place =
-      place_.stretch > 0.0
-          ? fmt::format("{}on the path from load {:.6g} (largest: {:.6g}), increments down to {:.1e} of the longest",
-                        place, state_.load, place_.furthest, size * last_motion(model_, state_) / place_.longest)
-          : fmt::format("{}at load {:.6g} (last converged: {:.6g}), increments down to {:.1e}", place, load,
-                        state_.load, size);
-  if (model_.has_memory() && controls_.control == Control::Load)
-    failure.advice +=
-        "; the body may be at a limit load: loading.control = \"path\" goes beyond it, material.viscosity "
-        "delays flow that localises";
+  if (place_.stretch > 0.0)
+    failure.attempt =
+        assembly::LastArc{state_.load, place_.furthest, size * last_motion(model_, state_) / place_.longest};
+  else
+    failure.attempt = assembly::LastIncrement{load, state_.load, size, controls_.control == Control::Load};
   return failure;
 }
 
@@ -254,8 +246,7 @@ std::variant<Step, assembly::Failure> LoadStepper::settle(const IterationObserve
       part *= 0.5;
       if (part >= kLeastPart) continue;
       assembly::Failure failure = *increment.failure;
-      failure.place += fmt::format("{}at load {:.6g}, with {:.3g} of what the new faces held still there",
-                                   failure.place.empty() ? "" : ", ", state_.load, 1.0 - gone);
+      failure.attempt = assembly::HeldPart{state_.load, 1.0 - gone};
       return failure;
     }
     Step out = commit(increment);

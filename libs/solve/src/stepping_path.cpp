@@ -1,6 +1,4 @@
 // The part of the stepper that follows a path.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -109,29 +107,21 @@ std::optional<assembly::Failure> LoadStepper::refuse(const Increment& increment)
   const bool positive = pivots && !pivots->negative_determinant;
   if (any_slips(assembler_.pairs())) return std::nullopt;
   if (!unloads_elastically(state_, assembler_.plastic(), increment.load, positive)) return std::nullopt;
-  return assembly::Failure{assembly::FailureKind::Unloads, "",
-                           "hardening, or a finer mesh: this is where the path of flow ends"};
+  return assembly::Failure{assembly::FailureKind::Unloads};
 }
 
 // The path's end where nothing but flow or sliding goes on, and where it wanders among loads that it has seen.
 std::optional<assembly::Failure> LoadStepper::end_of_path() const {
-  if (place_.plateau.goes_on())
-    return assembly::Failure{
-        assembly::FailureKind::Plateau, fmt::format("no load above {:.6g}", place_.furthest),
-        "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
+  const assembly::PathEnd end{place_.furthest, place_.wandered};
+  if (place_.plateau.goes_on()) return assembly::Failure{assembly::FailureKind::Plateau, end};
   if (place_.wandered > std::max(kMostWandered, kWanders * controls_.steps))
-    return assembly::Failure{
-        assembly::FailureKind::Wanders,
-        fmt::format("no load above {:.6g} in {} increments", place_.furthest, place_.wandered),
-        "an imperfection where another path branches off, hardening, or other increments (loading.steps)"};
+    return assembly::Failure{assembly::FailureKind::Wanders, end};
   return std::nullopt;
 }
 
 assembly::Failure LoadStepper::led_back() const {
-  std::string place = fmt::format("from load {:.6g}", state_.load);
-  if (lowest() > 0.0) place = fmt::format("load {:.6g}, {}", lowest(), place);
-  return {lowest() > 0.0 ? assembly::FailureKind::LedBack : assembly::FailureKind::Unloaded, place,
-          "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
+  return {lowest() > 0.0 ? assembly::FailureKind::LedBack : assembly::FailureKind::Unloaded,
+          assembly::PathBack{state_.load, lowest()}};
 }
 
 }  // namespace cleft::solve

@@ -37,8 +37,9 @@ struct RunOptions {
 
 struct RunResult {
   enum class End { Done, Failed, Stopped, NotWritten } end = End::Done;
-  assembly::Failure failure;  ///< with End::Failed
-  std::string unwritten;      ///< with End::NotWritten: path and reason
+  assembly::Failure failure;   ///< with End::Failed,
+  std::string reason, advice;  ///< and in words (failure_words.hpp)
+  std::string unwritten;       ///< with End::NotWritten: path and reason
   double load = 0.0;
   long increments = 0, iterations = 0, cuts = 0;
   long advances = 0;  ///< of all tips
