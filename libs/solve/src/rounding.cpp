@@ -65,8 +65,11 @@ RoundingFloor rounding_floor(const assembly::Model& model, const VecX& displacem
 
 double Resolution::missing(double residual) const { return loaded() ? residual / largest_ : 0.0; }
 
-bool Resolution::hidden_by_springs() const {
-  return rounding_.of_stiff_springs && rounding_.contact > kHidden * largest_;
+std::optional<assembly::Failure> Resolution::refuse_springs(double residual) const {
+  const bool hide = rounding_.of_stiff_springs && rounding_.contact > kHidden * largest_;
+  if (!hide || !(residual > 0.0)) return std::nullopt;
+  return assembly::Failure{assembly::FailureKind::NoConvergence,
+                           assembly::RoundingOfSprings{rounding_.contact, forces_.scale()}};
 }
 
 // Dead loads are what they are, and so are contact forces above their own rounding, however small a part of the bulk's

@@ -250,7 +250,7 @@ TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
   assembly::Assembler assembler(model);
   LinearSolver solver(Factorisation::Unsymmetric);
   const auto increment =
-      solve_increment(model, constraints_of(model), state_at_rest(model), {0.1}, controls, assembler, solver, {});
+      solve_increment({model, constraints_of(model), state_at_rest(model), controls, assembler, solver}, {0.1});
   ASSERT_TRUE(increment.failure);
   EXPECT_EQ(increment.failure->kind, assembly::FailureKind::NoConvergence);
   const auto& unbalanced = std::get<assembly::Unbalanced>(increment.failure->finding);
@@ -291,7 +291,7 @@ TEST(Newton, FailsWhereTheRoundingOfTheSpringsHidesTheForces) {
     assembly::Assembler assembler(model);
     LinearSolver solver(Factorisation::Unsymmetric);
     const auto increment =
-        solve_increment(model, constraints_of(model), state_at_rest(model), {1e-5}, {}, assembler, solver, {});
+        solve_increment({model, constraints_of(model), state_at_rest(model), {}, assembler, solver}, {1e-5});
     EXPECT_EQ(!increment.failure, converges) << scale;
     if (!converges && increment.failure) {
       EXPECT_TRUE(std::holds_alternative<assembly::RoundingOfSprings>(increment.failure->finding));
@@ -310,7 +310,7 @@ TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
   controls.extrapolate = false;
   const assembly::State& state = stepper.state();
   const auto increment =
-      solve_increment(model, constraints_of(model), state, {state.load}, controls, assembler, solver, {});
+      solve_increment({model, constraints_of(model), state, controls, assembler, solver}, {state.load});
   ASSERT_FALSE(increment.failure) << name_of(increment.failure->kind);
   EXPECT_LE(increment.iterations.size(), 1u) << "the moved anchors reproduce the tractions";
   EXPECT_LT((increment.displacement - state.displacement).cwiseAbs().maxCoeff(), 1e-9);

@@ -145,7 +145,7 @@ TEST_P(Yielding, AnIncrementThatFailsLeavesNoTrace) {
   LinearSolver solver(Factorisation::Unsymmetric);
   NewtonControls once;
   once.max_iterations = 1;
-  ASSERT_TRUE(solve_increment(model, stepper.constraints(), before, {0.7}, once, assembler, solver, {}).failure);
+  ASSERT_TRUE(solve_increment({model, stepper.constraints(), before, once, assembler, solver}, {0.7}).failure);
   ASSERT_FALSE(assembler.assemble(before.displacement, before.history));
   const VecX force = assembler.internal_force();
   assembly::Assembler fresh(model);
