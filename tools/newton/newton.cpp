@@ -76,8 +76,7 @@ std::optional<std::vector<tangent_check::IncrementRate>> rates_of_scene(const Op
   const auto result = simulation::run(scene, run);
   if (result.end != simulation::RunResult::End::Done) {
     const bool unwritten = result.end == simulation::RunResult::End::NotWritten;
-    fmt::print(stderr, "the run ended at load {:.6g}: {}\n", result.load,
-               unwritten ? result.unwritten : assembly::describe(result.failure));
+    fmt::print(stderr, "the run ended at load {:.6g}: {}\n", result.load, unwritten ? result.unwritten : result.reason);
     return std::nullopt;
   }
   return tangent_check::newton_rates(run.directory);

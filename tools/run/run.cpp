@@ -91,8 +91,8 @@ int solve(const Options& options) {
     reporter.say(spdlog::level::err,
                  fmt::format("stopped at load {:.6g}: {}; mend that and {}", result.load, result.unwritten, go_on));
   else
-    reporter.say(spdlog::level::err, fmt::format("failed at load {:.6g}: {}; try {}", result.load,
-                                                 assembly::describe(result.failure), result.failure.advice));
+    reporter.say(spdlog::level::err,
+                 fmt::format("failed at load {:.6g}: {}; try {}", result.load, result.reason, result.advice));
   return kFailed;
 }
 

@@ -5,6 +5,7 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
+#include "cleft/simulation/failure_words.hpp"
 #include "cleft/tangent_check/between.hpp"
 #include "verbs.hpp"
 
@@ -98,7 +99,9 @@ int tangent(const Options& options) {
   print_worst(places);
   print_kinks(places, report);
   for (const auto& reason : {failure, no_forces})
-    if (reason) fmt::print(stderr, "the run failed: {}; try {}\n", assembly::describe(*reason), reason->advice);
+    if (reason)
+      fmt::print(stderr, "the run failed: {}; try {}\n", simulation::describe(*reason, body.model()),
+                 simulation::advice(*reason, body.model()));
   const int held = verdict(report, options.tolerance);
   // a wrong tangent is a reason to fail
   return (failure || no_forces) && held == kDone ? kFailed : held;

@@ -202,7 +202,7 @@ double limit_of_slope(double size) {
     const auto outcome = stepper.advance();
     most = std::max(most, stepper.state().load);
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      EXPECT_EQ(failure->kind, assembly::FailureKind::Plateau) << assembly::describe(*failure);
+      EXPECT_EQ(failure->kind, assembly::FailureKind::Plateau) << name_of(failure->kind);
       return 1.5 * most;
     }
   }

@@ -145,8 +145,7 @@ TEST_P(FiniteSlipPatch, StaysHomogeneousAtEveryPosition) {
   int positions = 0, cells = 0, points = 0;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome))
-        << assembly::describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     if (stepper.state().load < kSlides) continue;
     ++positions;
     for (const auto& cell : model.cells) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cleft/simulation/failure_words.hpp"
 #include "comparison.hpp"
 #include "hard.hpp"
 
@@ -30,7 +31,7 @@ End end_of(const std::string& scene, const Overrides& overrides) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      out.failure = assembly::describe(*failure);
+      out.failure = simulation::describe(*failure, model);
       return out;
     }
     const auto& step = std::get<solve::Step>(outcome);

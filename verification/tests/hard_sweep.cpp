@@ -5,6 +5,7 @@
 
 #include "cleft/assembly/stress.hpp"
 #include "cleft/problem/build.hpp"
+#include "cleft/simulation/failure_words.hpp"
 #include "hard_sweeps.hpp"
 
 namespace cleft::verification {
@@ -91,7 +92,7 @@ Swept sweep(const problem::Specification& scene) {
     assembly::Assembler assembler(open);
     const auto rest = assembly::state_at_rest(open);
     if (auto failure = assembler.assemble(rest.displacement, rest.history)) {
-      out.failure = assembly::describe(*failure);
+      out.failure = simulation::describe(*failure, open);
       return out;
     }
     out.condition = condition_of(scaled_tangent(open, assembler.matrix()));
@@ -102,7 +103,7 @@ Swept sweep(const problem::Specification& scene) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      out.failure = assembly::describe(*failure);
+      out.failure = simulation::describe(*failure, model);
       return out;
     }
     const auto& step = std::get<solve::Step>(outcome);

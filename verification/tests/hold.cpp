@@ -21,7 +21,7 @@ VecX forces(const solve::LoadStepper& stepper) {
 void go_to(solve::LoadStepper& stepper, double load) {
   while (stepper.state().load < load - 1e-9) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<solve::Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
   }
 }
 

@@ -37,7 +37,7 @@ Solved solve(const problem::Specification& scene) {
   simulation::RunOptions options;
   options.directory = *out.directory;
   out.result = simulation::run(scene, options);
-  EXPECT_EQ(out.result.end, simulation::RunResult::End::Done) << assembly::describe(out.result.failure);
+  EXPECT_EQ(out.result.end, simulation::RunResult::End::Done) << out.result.reason;
   out.history = results::read_csv(*out.directory + "/history.csv");
   return out;
 }
@@ -47,7 +47,7 @@ SolvedModel::SolvedModel(const problem::Specification& scene)
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      ADD_FAILURE() << assembly::describe(*failure);
+      ADD_FAILURE() << name_of(failure->kind);
       return;
     }
   }

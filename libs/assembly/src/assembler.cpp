@@ -1,12 +1,8 @@
 #include "cleft/assembly/assembler.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "cleft/assembly/advice.hpp"
-#include "cleft/assembly/places.hpp"
 #include "cleft/support/timer.hpp"
 #include "contact_points.hpp"
 #include "patch_forces.hpp"
@@ -202,8 +198,7 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   }
   for (Eigen::Index c = 0; c < force_.size(); ++c)
     if (!std::isfinite(force_[c]))
-      return Failure{FailureKind::NotFinite, "the internal force at " + place_of(model_, static_cast<Index>(c)),
-                     "smaller increments (loading.steps), or moduli, penalties and lengths whose products are numbers"};
+      return Failure{FailureKind::NotFinite, ForceNotFinite{position_of(model_, static_cast<Index>(c))}};
   return std::nullopt;
 }
 
@@ -307,14 +302,7 @@ std::optional<Failure> Assembler::assemble_bulk(const VecX& displacement, const 
     if (bad == kNone) bad = bulk_loop(law, range, displacement, history);
   });
   if (bad == kNone) return std::nullopt;
-  const MaterialPoint at = material_point(model_, bad);
-  const char* side = !at.side ? "" : *at.side == geometry::Side::Left ? ", left side" : ", right side";
-  return Failure{FailureKind::Inverted,
-                 fmt::format("element {} at {}{}", at.element, model_.words_for(at.reference), side),
-                 static_cast<std::size_t>(bad) >= model_.cells.size()
-                     ? "smaller loads, or formulation.tip_enrichment = 0: near a tip branch functions turn inside out "
-                       "where strains are large"
-                     : softer(model_, " there")};
+  return Failure{FailureKind::Inverted, InvertedPoint{material_point(model_, bad)}};
 }
 
 // theory (3.1)

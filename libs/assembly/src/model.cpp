@@ -70,12 +70,21 @@ MaterialPoint material_point(const Model& model, Index number) {
   const auto cells = static_cast<Index>(model.cells.size());
   if (number >= cells) {
     const auto& point = model.tip_points[number - cells];
-    return {point.element, point.side, point.reference};
+    return {point.element, point.side, point.reference, true};
   }
   const auto& cell = model.cells[number];
   Vec2 centre = Vec2::Zero();
   for (const Index node : model.mesh.triangles[cell.element]) centre += model.mesh.nodes[node] / 3.0;
   return {cell.element, cell.side_if_cut(), centre};
+}
+
+UnknownPosition position_of(const Model& model, Index component) {
+  using Of = UnknownPosition::Of;
+  const Index unknown = component / 2;
+  if (unknown >= model.unknowns.displacements()) return {.of = Of::Multiplier};
+  const Index node = model.unknowns.node_of[unknown];
+  if (node == kNone) return {.of = Of::Amplitude};
+  return {Of::Displacement, node, model.mesh.nodes[node], model.unknowns.side_of[unknown]};
 }
 
 Vec2 prescribed_value(const Model& model, const Prescribed& prescribed, Index unknown, double load) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeastOutward = 0.1;
 
 [[noreturn]] void refuse(const Crack& crack, const std::string& problem) {
-  throw CrackError(crack, problem + "; choose a smaller one (formulation.tip_enrichment)");
+  throw CrackError(crack, problem + "; choose a smaller radius of tip enrichment");
 }
 
 std::vector<Vec2> from_tip(const Crack& crack, int end) {

@@ -1,7 +1,5 @@
 #include "cleft/growth/evolution.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -23,15 +21,14 @@ using assembly::Failure, assembly::FailureKind;
 constexpr double kTogether = 1e-3;
 constexpr int kStraightLooks = 6;  // after that the bracket is halved
 
-// Why a criterion has no answer, and what to try.
-constexpr const char* kNoMean = "the disc around the tip is smaller than an element";
-constexpr const char* kRankineAdvice = "a larger growth.radius, or a finer mesh where the crack grows";
-constexpr const char* kNoIntensities =
-    "the body ends, or the crack bends, within half an element size: too near for stress intensities";
-constexpr const char* kHoopStressAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
+// Why a criterion has no answer.
+assembly::NoDemand::Why why_none(const problem::Rankine&) { return assembly::NoDemand::Why::SmallDisc; }
+assembly::NoDemand::Why why_none(const problem::HoopStress&) { return assembly::NoDemand::Why::NoRoom; }
 
-std::string name_of(const std::vector<geometry::Crack>& cracks, const TipName& tip) {
-  return fmt::format("crack '{}', {}", cracks[tip.crack].name, tip.end == 0 ? "start" : "end");
+std::vector<assembly::GrownTip> grown_tips(const std::vector<Advance>& advances) {
+  std::vector<assembly::GrownTip> out;
+  for (const Advance& a : advances) out.push_back({{a.tip.crack, a.tip.end}, a.point, a.stop == Stop::Boundary});
+  return out;
 }
 
 // Whether no tip is hindered that was not before.
@@ -94,10 +91,8 @@ Evolution::Judged Evolution::judge(const assembly::Equilibrium& body) const {
 std::optional<Failure> Evolution::no_answer(const Judged& judged) const {
   if (!std::isnan(judged.largest)) return std::nullopt;
   const TipName& tip = judged.tips.front().tip;
-  const bool rankine = std::holds_alternative<problem::Rankine>(laws_[tip.crack]->criterion);
-  return Failure{FailureKind::NotFinite,
-                 fmt::format("at the {}: {}", name_of(model_->cracks, tip), rankine ? kNoMean : kNoIntensities),
-                 rankine ? kRankineAdvice : kHoopStressAdvice};
+  const auto why = std::visit([](const auto& criterion) { return why_none(criterion); }, laws_[tip.crack]->criterion);
+  return Failure{FailureKind::NotFinite, assembly::NoDemand{{tip.crack, tip.end}, why}};
 }
 
 std::variant<Step, Failure> Evolution::advance(const solve::IterationObserver& observer) {
@@ -201,26 +196,20 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
   Attempt out;
   out.cracks = model_->cracks;
   for (const Due& one : due) out.advances.push_back(lengthen(one, out.cracks));
-  const auto failed = [&](Failure failure) {
-    std::string who;
-    for (const Advance& a : out.advances)
-      who += fmt::format("{}{} to {}{}", who.empty() ? "" : " and ", name_of(out.cracks, a.tip),
-                         model_->words_for(a.point), a.stop == Stop::Boundary ? " through the boundary" : "");
-    failure.place = fmt::format("after growth of {}: {}", who, failure.place);
-    return failure;
-  };
   try {
     out.model = std::make_unique<const assembly::Model>(problem::recut(specification_, *model_, out.cracks));
   } catch (const InputError& error) {
-    return failed({FailureKind::Refused, error.what(), "fewer advances (growth.most)"});
+    return Failure{.kind = FailureKind::Refused,
+                   .finding = assembly::RefusedCracks{error.what()},
+                   .grown = grown_tips(out.advances)};
   }
   out.stepper = std::make_unique<solve::LoadStepper>(*out.model, controls_);
   out.origin = transfer(*model_, stepper_->state(), *out.model);
   out.stepper->restore(out.origin, stepper_->place());
   auto outcome = out.stepper->settle(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) {
-    failure->advice += "; or shorter advances (growth.advance)";
-    return failed(std::move(*failure));
+    failure->grown = grown_tips(out.advances);
+    return std::move(*failure);
   }
   out.step = std::move(std::get<solve::Step>(outcome));
   return out;

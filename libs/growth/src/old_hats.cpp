@@ -11,7 +11,7 @@ namespace {
 using assembly::Model;
 using contact::Trail;
 
-constexpr double kCrumb = 1e-12;  // of a face
+constexpr double kShortestTrail = 1e-12;  // of a face: a shorter one is what rounding leaves between two
 
 bool same_side(const enrichment::Face& a, const enrichment::Face& b) { return a.crack == b.crack && a.side == b.side; }
 
@@ -25,27 +25,33 @@ Index interval_at(const Model& m, const contact::HatNode& where, double s) {
   return kNone;
 }
 
-// Adds the part [first, last] (arc lengths) of an old trail on a new face, by the new faces that hold its anchors.
-void add_trail(const Model& from, const Trail& old, const Model& to, Index face, double first, double last,
-               std::vector<Trail>& out) {
+// The part [first, last] (arc lengths) of a trail on the old model.
+struct OldTrail {
+  const Model& model;
+  const Trail& trail;
+  double first, last;
+};
+
+// Adds it on a new face, by the new faces that hold its anchors.
+void add_trail(const OldTrail& old, const Model& to, Index face, std::vector<Trail>& out) {
   const auto& own = to.surfaces.faces[face];
-  const auto &was = from.surfaces.faces[old.face], &anchor = from.surfaces.faces[old.anchor_face];
-  const double s0 = at(was, old.begin), a0 = at(anchor, old.anchor_begin);
-  const double slope = (at(anchor, old.anchor_end) - a0) / (at(was, old.end) - s0);
+  const auto &was = old.model.surfaces.faces[old.trail.face], &anchor = old.model.surfaces.faces[old.trail.anchor_face];
+  const double s0 = at(was, old.trail.begin), a0 = at(anchor, old.trail.anchor_begin);
+  const double slope = (at(anchor, old.trail.anchor_end) - a0) / (at(was, old.trail.end) - s0);
   const auto add = [&](Index g, double low, double high) {
     const auto& there = to.surfaces.faces[g];
     const double begin = place_on(own, low), end = place_on(own, high);
-    if (end > begin + kCrumb)
+    if (end > begin + kShortestTrail)
       out.push_back(
           {face, begin, end, g, place_on(there, a0 + slope * (low - s0)), place_on(there, a0 + slope * (high - s0))});
   };
-  if (to.surfaces.undeformed) return add(enrichment::opposite_face(face), first, last);
+  if (to.surfaces.undeformed) return add(enrichment::opposite_face(face), old.first, old.last);
   for (Index g = 0; g < static_cast<Index>(to.surfaces.faces.size()); ++g) {
     const auto& there = to.surfaces.faces[g];
     if (!same_side(there, anchor)) continue;
     double low = s0 + (there.s_start - a0) / slope, high = s0 + (there.s_end - a0) / slope;
     if (low > high) std::swap(low, high);
-    add(g, std::max(first, low), std::min(last, high));
+    add(g, std::max(old.first, low), std::min(old.last, high));
   }
 }
 
@@ -62,11 +68,11 @@ std::vector<Trail> trails_on(const Model& from, const std::vector<Trail>& trails
       const auto& was = from.surfaces.faces[trail.face];
       if (!same_side(was, face)) continue;
       const double low = std::max(first, at(was, trail.begin)), high = std::min(last, at(was, trail.end));
-      if (low < high) add_trail(from, trail, to, rest.face, low, high, out);
+      if (low < high) add_trail({from, trail, low, high}, to, rest.face, out);
     }
     const auto at_rest = [&](double low, double high) {
       const double begin = place_on(face, low), end = place_on(face, high);
-      if (end > begin + kCrumb) out.push_back({rest.face, begin, end, rest.anchor_face, begin, end});
+      if (end > begin + kShortestTrail) out.push_back({rest.face, begin, end, rest.anchor_face, begin, end});
     };
     at_rest(face.s_start, std::min(face.s_end, old.first));
     at_rest(std::max(face.s_start, old.last), face.s_end);

@@ -32,11 +32,26 @@ std::vector<Vec2> points_of(const CrackSpec& spec, double size) {
   }
 }
 
-geometry::Mesh fill(const StructuredMesh& spec, const Specification&) {
-  if (!spec.focus) return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal);
+// What geometry finds wrong, by its own names of its arguments: keys of the mesh, or of a part of it (`part`, with a dot).
+template <class Make>
+auto located(const Location& at, const std::string& part, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(at, at.key(part + error.key()), error.problem());
+  }
+}
+
+geometry::Mesh fill(const StructuredMesh& spec, const Specification& scene) {
+  if (!spec.focus)
+    return located(scene.mesh.at, "",
+                   [&] { return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal); });
   const auto lines = [&](int k) {
     const auto& box = spec.focus->box;
-    return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k], {box[k], box[k + 2], spec.focus->share});
+    return located(scene.mesh.at, "focus.", [&] {
+      return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k],
+                                    {box[k], box[k + 2], spec.focus->share});
+    });
   };
   return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
 }
@@ -50,7 +65,7 @@ geometry::Mesh fill(const DelaunayMesh& spec, const Specification& scene) {
     for (const Vec2& end : {points.front(), points.back()})
       if (geometry::lies_inside(spec.outline, end)) size.sources.push_back({{end}, at_tip});
   }
-  return geometry::delaunay_mesh(spec.outline, size);
+  return located(scene.mesh.at, "", [&] { return geometry::delaunay_mesh(spec.outline, size); });
 }
 
 using Box = std::array<Vec2, 2>;  // lower left and upper right corner
@@ -85,12 +100,7 @@ MeshedSpecification make(const GmshMesh& spec, const Specification& scene) {
 }  // namespace
 
 MeshedSpecification make_mesh(const Specification& scene) {
-  try {
-    return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
-  } catch (const InputError& error) {
-    if (!error.location().file.empty()) throw;
-    throw InputError(scene.mesh.at, scene.mesh.at.key(error.key()), error.problem());
-  }
+  return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
 }
 
 std::vector<geometry::Crack> make_cracks(const Specification& scene, const geometry::Mesh& mesh) {

@@ -9,6 +9,7 @@
 #include "cleft/results/results.hpp"
 #include "cleft/scene/json.hpp"
 #include "cleft/simulation/contents.hpp"
+#include "cleft/simulation/failure_words.hpp"
 #include "cleft/simulation/remarks_before.hpp"
 #include "cleft/support/timer.hpp"
 #include "growth_remarks.hpp"
@@ -119,6 +120,8 @@ bool Run::advance() {
   if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
     result_.end = RunResult::End::Failed;
     result_.failure = *failure;
+    result_.reason = describe(*failure, evolution_->model());
+    result_.advice = advice(*failure, evolution_->model());
     return false;
   }
   const auto& step = std::get<growth::Step>(outcome);

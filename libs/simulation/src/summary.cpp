@@ -130,7 +130,7 @@ std::string summary(const problem::Specification& scene, const growth::Evolution
   Json j;
   j["cleft"] = CLEFT_VERSION;
   j["end"] = name_of(result.end);
-  if (result.end == RunResult::End::Failed) j["failure"] = assembly::describe(result.failure);
+  if (result.end == RunResult::End::Failed) j["failure"] = result.reason;
   j["load"] = result.load;
   j["mesh"] = mesh_of(evolution.model());
   j["unknowns"] = unknowns_of(evolution.stepper());

@@ -134,7 +134,7 @@ TEST_P(MapCoordinates, ChangeNothing) {
     const problem::Specification scene =
         scene::read_scene(folder.write(std::string(name) + ".toml", placed(GetParam().text, shift)));
     const auto result = run(scene, into(folder / name));
-    ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+    ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   }
   const auto read = [&](const std::string& file) {
     return std::pair{results::read_csv(folder / ("local/" + file)), results::read_csv(folder / ("map/" + file))};

@@ -70,7 +70,7 @@ TEST(MortarContact, ResumesBitForBit) {
   const problem::Specification scene = with("method = \"mortar\"");
   ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
   const RunResult result = run_step_by_step(scene, folder / "parts");
-  ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   for (const char* file : {"history.csv", "crack_main.csv"})
     EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
         << file;

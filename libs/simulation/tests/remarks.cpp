@@ -220,7 +220,7 @@ TEST(Oscillation, IsThatOfEveryZoneOfContactByItself) {
 std::string after(const std::vector<std::string>& overrides, const std::string& text = kSound) {
   const Folder folder;
   const auto result = run(scene_of(text, overrides), into(folder / "run"));
-  EXPECT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  EXPECT_EQ(result.end, RunResult::End::Done) << result.reason;
   const auto json = nlohmann::json::parse(results::read_bytes(folder / "run" + "/run.json"));
   const std::vector<std::string> kept = json.at("remarks");
   for (const auto& remark : result.remarks) EXPECT_EQ(std::ranges::count(kept, remark), 1) << remark;

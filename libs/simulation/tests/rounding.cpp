@@ -59,7 +59,7 @@ TEST(Rounding, LeavesSmallStrainsOfStiffBlocksTheirDigits) {
   for (const int steps : {16, 64, 256}) {
     const auto result =
         run(scene_of(joint(2.0e18, "small"), {fmt::format("loading.steps={}", steps)}), into(folder / "run"));
-    ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+    ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
     const auto history = results::read_csv(folder / "run/history.csv");
     const auto load = history.column("load"), force = history.column("fy_press");
     for (std::size_t k = 0; k < load.size(); ++k)
@@ -74,15 +74,14 @@ TEST(Rounding, OfMoreThanAHundredthOfTheForcesIsAFailure) {
   const Folder folder;
   const auto result = run(scene_of(joint(2.0e18, "finite")), into(folder / "run"));
   ASSERT_EQ(result.end, RunResult::End::Failed);
-  EXPECT_NE(assembly::describe(result.failure).find("rounding leaves a residual of "), std::string::npos)
-      << assembly::describe(result.failure);
-  EXPECT_NE(result.failure.advice.find("formulation.kinematics = \"small\""), std::string::npos);
+  EXPECT_NE(result.reason.find("rounding leaves a residual of "), std::string::npos) << result.reason;
+  EXPECT_NE(result.advice.find("formulation.kinematics = \"small\""), std::string::npos);
 }
 
 TEST(Rounding, OfLessIsRemarkedOn) {
   const Folder folder;
   const auto result = run(scene_of(joint(2.0e14, "finite")), into(folder / "run"));
-  ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   EXPECT_GT(result.rounded.increments, 0);
   EXPECT_GT(result.rounded.worst, 1e-5);
   EXPECT_LT(result.rounded.worst, 1e-2);
@@ -100,7 +99,7 @@ TEST(Rounding, OfABodyWithoutContactIsRemarkedOnLikewise) {
   const Folder folder;
   const auto result =
       run(scene_of(kPlain + "[[boundary]]\non = \"top\"\nux = 0.0\nuy = -1e-13\n"), into(folder / "run"));
-  ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   EXPECT_GT(result.rounded.increments, 0);
   EXPECT_TRUE(says(result, "rounding ended "));
 }
@@ -136,11 +135,11 @@ TEST(Rounding, IsNoFaultOfABodyThatBearsNothing) {
     for (const std::string& scene : {replaced(base, held, turning) + contact + turned, base + contact + unloaded,
                                      base + contact + unloaded + small}) {
       const auto result = run(scene_of(scene), into(folder / fmt::format("run{}", runs++)));
-      EXPECT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure) << scene;
+      EXPECT_EQ(result.end, RunResult::End::Done) << result.reason << scene;
       EXPECT_EQ(result.cuts, 0) << scene;
     }
   const auto apart = run(scene_of(base + crack + opened), into(folder / "apart"));
-  EXPECT_EQ(apart.end, RunResult::End::Done) << assembly::describe(apart.failure);
+  EXPECT_EQ(apart.end, RunResult::End::Done) << apart.reason;
 }
 
 TEST(Rounding, ThatIsAllThereIsOfForcesIsRemarkedOn) {

@@ -97,7 +97,7 @@ outputs = [1.0]
 )");
   ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
   const RunResult result = run_step_by_step(scene, folder / "parts");
-  ASSERT_EQ(result.end, RunResult::End::Done) << assembly::describe(result.failure);
+  ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   EXPECT_EQ(results::read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
   const std::string path = folder / "whole" + "/checkpoint";
   const auto shown = results::checkpoint_from(results::read_bytes(path), path).outputs;
@@ -197,8 +197,8 @@ TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
   ASSERT_EQ(result.end, RunResult::End::Failed);
   EXPECT_GT(result.load, 0.0);
   EXPECT_LT(result.load, 1.0);
-  EXPECT_NE(result.failure.place.find("last converged"), std::string::npos) << result.failure.place;
-  EXPECT_FALSE(result.failure.advice.empty());
+  EXPECT_NE(result.reason.find("last converged"), std::string::npos) << result.reason;
+  EXPECT_FALSE(result.advice.empty());
   const auto history = results::read_csv(folder / "run/history.csv");
   EXPECT_EQ(history.rows.size(), static_cast<std::size_t>(result.increments));
   EXPECT_EQ(history.column("load").back(), result.load);
@@ -212,7 +212,7 @@ TEST(Run, ThatFailsIsGivenAdviceThatFitsItsContact) {
     const auto result =
         run(scene_of(kBlock, {"crack.main.contact=" + contact, load, "solver.min_step=0.4"}), into(folder / "run"));
     EXPECT_EQ(result.end, RunResult::End::Failed);
-    return result.failure.advice;
+    return result.advice;
   };
   const auto begins_with = [](const std::string& text, const char* beginning) {
     EXPECT_TRUE(text.starts_with(beginning)) << text;

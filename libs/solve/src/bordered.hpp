@@ -9,6 +9,11 @@ namespace cleft::solve {
 struct Correction {
   VecX displacement;
   double load = 0.0;
+  Correction& operator+=(const Correction& other) {
+    displacement += other.displacement;
+    load += other.load;
+    return *this;
+  }
 };
 
 /// Solves with the factors of a matrix K,

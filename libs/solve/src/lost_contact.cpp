@@ -1,7 +1,5 @@
 #include "lost_contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace cleft::solve {
@@ -34,13 +32,8 @@ std::optional<assembly::Failure> lost_contact(const assembly::Model& model, cons
     const auto& face = farther.faces[point.face];
     if (farther.faces[pairs[p].partner_face].side == face.side) continue;  // what lies behind a thin strip of the body
     const Vec2 at = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
-    return assembly::Failure{
-        assembly::FailureKind::ContactLost,
-        fmt::format("the contact point at {} of crack '{}' lies {:.2g} m deep in the other side", model.words_for(at),
-                    model.cracks[face.crack].name, -pairs[p].state.normal_gap),
-        std::string("no solver.search_radius of your own, ") +
-            (model.surfaces.is_mortar(face.crack) ? "or smaller increments (loading.steps)"
-                                                  : "smaller increments (loading.steps), or a stiffer penalty")};
+    return assembly::Failure{assembly::FailureKind::ContactLost,
+                             assembly::PassedPoint{at, face.crack, -pairs[p].state.normal_gap}};
   }
   return std::nullopt;
 }

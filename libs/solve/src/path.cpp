@@ -41,8 +41,8 @@ double unexplained_part(const assembly::Energies& before, const assembly::Energi
 }
 
 bool unloads_elastically(const assembly::State& before, const std::vector<constitutive::PlasticState>& plastic,
-                         double load, bool positive) {
-  if (!positive || load >= before.load) return false;
+                         double load, Determinant determinant) {
+  if (determinant != Determinant::Positive || load >= before.load) return false;
   const auto& past = before.history.plastic;
   bool flowed = false;
   for (std::size_t p = 0; p < plastic.size(); ++p) {

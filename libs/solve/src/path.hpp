@@ -1,6 +1,8 @@
 // The path of solutions, for bodies whose load must fall before it can rise.
 #pragma once
 
+#include <cstdint>
+
 #include "cleft/assembly/model.hpp"
 #include "cleft/assembly/state.hpp"
 
@@ -21,6 +23,9 @@ inline constexpr double kLongest = 1e4;
 VecX path_progress(const assembly::Model& model, const assembly::State& before, const VecX& displacement,
                    const std::vector<constitutive::PlasticState>& plastic);
 
+/// The sign of the tangent matrix's determinant, where it is known.
+enum class Determinant : std::uint8_t { Positive, NegativeOrUnknown };
+
 /// The largest displacement of the last increment, metres.
 double last_motion(const assembly::Model& model, const assembly::State& state);
 
@@ -31,9 +36,9 @@ double last_motion(const assembly::Model& model, const assembly::State& state);
 double unexplained_part(const assembly::Energies& before, const assembly::Energies& after, double least);
 
 /// Whether an increment of a body that has flowed before unloads it elastically: the load falls, nothing flows, and the
-/// determinant of the tangent matrix is `positive`, as where the body is stable (or has lost its stability twice).
+/// determinant of the tangent matrix is positive, as where the body is stable (or has lost its stability twice).
 /// Beyond a limit load such a way back is always open, and is not the path that led there.
 bool unloads_elastically(const assembly::State& before, const std::vector<constitutive::PlasticState>& plastic,
-                         double load, bool positive);
+                         double load, Determinant determinant);
 
 }  // namespace cleft::solve

@@ -1,7 +1,5 @@
 #include "rounding.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,8 +70,11 @@ RoundingFloor rounding_floor(const assembly::Model& model, const VecX& displacem
 
 double Resolution::missing(double residual) const { return loaded() ? residual / largest_ : 0.0; }
 
-bool Resolution::hidden_by_springs() const {
-  return rounding_.of_stiff_springs && rounding_.contact > kHidden * largest_;
+std::optional<assembly::Failure> Resolution::refuse_springs(double residual) const {
+  const bool hide = rounding_.of_stiff_springs && rounding_.contact > kHidden * largest_;
+  if (!hide || !(residual > 0.0)) return std::nullopt;
+  return assembly::Failure{assembly::FailureKind::NoConvergence,
+                           assembly::RoundingOfSprings{rounding_.contact, forces_.scale()}};
 }
 
 // Dead loads are what they are, and so are contact forces above their own rounding, however small a part of the bulk's
@@ -83,15 +84,12 @@ bool Resolution::loaded() const {
          largest_ > kAbove * rounding_.total();
 }
 
-std::optional<assembly::Failure> Resolution::refuse(const assembly::Model& model, double residual) const {
+std::optional<assembly::Failure> Resolution::refuse(double residual) const {
   if (!(missing(residual) > kUnbalanced)) return std::nullopt;
-  const char* what = "a softer penalty";
-  if (rounding_.bulk > rounding_.contact)
-    what = model.is_small_strain() ? "displacements that move the body less as a whole, or a softer material"
-                                   : "larger strains, a softer material, or formulation.kinematics = \"small\"";
-  return assembly::Failure{
-      assembly::FailureKind::NoConvergence,
-      fmt::format("rounding leaves a residual of {:.1e} N/m, {:.1e} of the forces", residual, missing(residual)), what};
+  using Of = assembly::RoundingOfForces::Of;
+  return assembly::Failure{assembly::FailureKind::NoConvergence,
+                           assembly::RoundingOfForces{residual, missing(residual),
+                                                      rounding_.bulk > rounding_.contact ? Of::Bulk : Of::Springs}};
 }
 
 }  // namespace cleft::solve

@@ -25,18 +25,19 @@ class Resolution {
   /// rigidly has them: that is no fault.
   double missing(double residual) const;
 
-  /// Whether the springs of the contact are so stiff that their rounding is larger than what they should transmit.
-  bool hidden_by_springs() const;
+  /// The failure where the springs of the contact are so stiff that their rounding is larger than what they should
+  /// transmit; none without a residual.
+  std::optional<assembly::Failure> refuse_springs(double residual) const;
 
   /// Of an iteration that rounding has ended: why its residual, N/m, is none to accept; nothing if it is.
-  std::optional<assembly::Failure> refuse(const assembly::Model& model, double residual) const;
+  std::optional<assembly::Failure> refuse(double residual) const;
 
  private:
   bool loaded() const;
 
-  const RoundingFloor& rounding_;
-  const ForceNorms forces_;
-  const double largest_;
+  RoundingFloor rounding_;
+  ForceNorms forces_;
+  double largest_;
 };
 
 }  // namespace cleft::solve

@@ -1,8 +1,7 @@
 // The part of the stepper that follows a path.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cleft/solve/stepping.hpp"
 #include "lost_contact.hpp"
@@ -46,15 +45,17 @@ Increment LoadStepper::try_path(const IterationObserver& observer) {
 }
 
 // Past a kink of the path, as where a point of contact opens, its coordinate may have to go back: then the load leads,
-// the way that it went.
-std::optional<Increment> LoadStepper::lead_by_load(const IterationObserver& observer) {
+// the way that it went, once. Replaces the increment that failed if that finds one.
+void LoadStepper::lead_by_load(Increment& increment, Tries& tries, const IterationObserver& observer) {
+  if (std::exchange(tries.led, true)) return;
   const double way = state_.load > state_.previous_load ? 1.0 : -1.0;
   for (double part = 1.0 / 16.0; part > kShortest; part *= 0.125) {
     Increment out = solve({.load = state_.load + way * part * planned()}, observer);
     if (!out.failure) out.failure = refuse(out);
-    if (!out.failure && out.load <= next_mark()) return out;
+    if (out.failure || !(out.load <= next_mark())) continue;
+    increment = std::move(out);
+    return;
   }
-  return std::nullopt;
 }
 
 // From a kink the path leads no one knows where, and nowhere in a hold.
@@ -83,7 +84,7 @@ double LoadStepper::cut_short(const Increment& increment) const {
   return made > 0.0 ? std::min(place_.stretch / made, kLongest) : 1.0;
 }
 
-Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
+Step LoadStepper::commit_on_path(const Increment& increment, Effort effort) {
   const double wanted = cut_short(increment);
   Step out = commit(increment);
   end_account();
@@ -91,6 +92,7 @@ Step LoadStepper::commit_on_path(const Increment& increment, bool easy) {
   place_.longest = std::max(place_.longest, moved);
   place_.plateau.follow(state_.load, moved, farthest(model_, state_.displacement));
   place_.wandered = state_.load < place_.furthest ? place_.wandered + 1 : 0;
+  const bool easy = effort == Effort::Little;
   if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
     place_.stretch = 0.0;
     place_.step = std::clamp(gain, kRises * planned(), planned());
@@ -106,32 +108,26 @@ std::optional<assembly::Failure> LoadStepper::refuse(const Increment& increment)
   if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
   if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
   const auto& pivots = increment.iterations.back().pivots;
-  const bool positive = pivots && !pivots->negative_determinant;
+  const auto determinant =
+      pivots && !pivots->negative_determinant ? Determinant::Positive : Determinant::NegativeOrUnknown;
   if (any_slips(assembler_.pairs())) return std::nullopt;
-  if (!unloads_elastically(state_, assembler_.plastic(), increment.load, positive)) return std::nullopt;
-  return assembly::Failure{assembly::FailureKind::Unloads, "",
-                           "hardening, or a finer mesh: this is where the path of flow ends"};
+  if (!unloads_elastically(state_, assembler_.plastic(), increment.load, determinant)) return std::nullopt;
+  return assembly::Failure{assembly::FailureKind::Unloads};
 }
 
 // The path's end where nothing but flow or sliding goes on, and where it wanders among loads that it has seen.
 std::optional<assembly::Failure> LoadStepper::end_of_path() const {
-  if (place_.plateau.goes_on())
-    return assembly::Failure{
-        assembly::FailureKind::Plateau, fmt::format("no load above {:.6g}", place_.furthest),
-        "hardening, or prescribed displacements instead of the loads, to see where the motion leads"};
+  const assembly::PathEnd end{place_.furthest, place_.wandered};
+  if (place_.plateau.goes_on()) return assembly::Failure{assembly::FailureKind::Plateau, end};
   if (place_.wandered > std::max(kMostWandered, kWanders * controls_.steps))
-    return assembly::Failure{
-        assembly::FailureKind::Wanders,
-        fmt::format("no load above {:.6g} in {} increments", place_.furthest, place_.wandered),
-        "an imperfection where another path branches off, hardening, or other increments (loading.steps)"};
+    return assembly::Failure{assembly::FailureKind::Wanders, end};
   return std::nullopt;
 }
 
+// Where an increment has come back to what the path began with, or to where an amplitude turned.
 assembly::Failure LoadStepper::led_back() const {
-  std::string place = fmt::format("from load {:.6g}", state_.load);
-  if (lowest() > 0.0) place = fmt::format("load {:.6g}, {}", lowest(), place);
-  return {lowest() > 0.0 ? assembly::FailureKind::LedBack : assembly::FailureKind::Unloaded, place,
-          "a finer mesh, hardening, or another measure of the load: nothing can bear it any more"};
+  return {lowest() > 0.0 ? assembly::FailureKind::LedBack : assembly::FailureKind::Unloaded,
+          assembly::PathBack{state_.load, lowest()}};
 }
 
 }  // namespace cleft::solve

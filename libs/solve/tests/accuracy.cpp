@@ -25,7 +25,7 @@ Ride ride(double accuracy, int steps, std::vector<double> kinks = {}) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (std::holds_alternative<assembly::Failure>(outcome)) {
-      ADD_FAILURE() << describe(std::get<assembly::Failure>(outcome));
+      ADD_FAILURE() << name_of(std::get<assembly::Failure>(outcome).kind);
       return out;
     }
     out.loads.push_back(stepper.state().load);
@@ -95,7 +95,7 @@ assembly::Energies work_of_drag(int steps, double accuracy, int* increments = nu
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      ADD_FAILURE() << describe(*failure);
+      ADD_FAILURE() << name_of(failure->kind);
       break;
     }
     loads.push_back(stepper.state().load);

@@ -18,7 +18,7 @@ using contact::NegativeSide;
 void advance_to(LoadStepper& stepper, double load, std::size_t* iterations = nullptr) {
   while (stepper.state().load < load - 1e-9) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     if (iterations) *iterations += std::get<Step>(outcome).iterations.size();
   }
 }
@@ -192,7 +192,7 @@ TEST(Newton, KeepsFactorsForTheLastCorrectionOnly) {
     LoadStepper stepper(model, controls);
     while (stepper.state().load < 0.4) {
       const auto outcome = stepper.advance();
-      ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+      ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
       const auto& step = std::get<Step>(outcome);
       EXPECT_LE(step.left.residual, std::max(controls.newton.residual_tolerance, step.left.rounding));
       for (std::size_t i = 0; i < step.iterations.size(); ++i) {
@@ -214,7 +214,7 @@ TEST(Newton, TightToleranceNeedsNoMoreThanRounding) {
   LoadStepper stepper(model, controls);
   for (int k = 0; k < 5; ++k) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     const auto& step = std::get<Step>(outcome);
     EXPECT_EQ(step.cuts, 0);
     EXPECT_LE(step.left.residual, step.left.rounding);
@@ -238,7 +238,7 @@ TEST(Newton, LeavesTheCirclesOfChatteringContact) {
   LoadStepper stepper(m, controls);
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     EXPECT_EQ(std::get<Step>(outcome).cuts, 0);
   }
 }
@@ -250,11 +250,13 @@ TEST(Newton, FailsWithTheResidualWhenIterationsRunOut) {
   assembly::Assembler assembler(model);
   LinearSolver solver(Factorisation::Unsymmetric);
   const auto increment =
-      solve_increment(model, constraints_of(model), state_at_rest(model), {0.1}, controls, assembler, solver, {});
+      solve_increment({model, constraints_of(model), state_at_rest(model), controls, assembler, solver}, {0.1});
   ASSERT_TRUE(increment.failure);
   EXPECT_EQ(increment.failure->kind, assembly::FailureKind::NoConvergence);
-  EXPECT_NE(describe(*increment.failure).find("after 1 iterations, largest at node "), std::string::npos)
-      << describe(*increment.failure);
+  const auto& unbalanced = std::get<assembly::Unbalanced>(increment.failure->finding);
+  EXPECT_EQ(unbalanced.iterations, 1);
+  EXPECT_GT(unbalanced.residual, controls.residual_tolerance);
+  EXPECT_EQ(unbalanced.largest.reference, model.mesh.nodes.at(static_cast<std::size_t>(unbalanced.largest.node)));
   EXPECT_EQ(increment.iterations.size(), 1u);
 }
 
@@ -270,8 +272,10 @@ TEST(Newton, SaysWhereTheSearchLosesFacesInContact) {
     ASSERT_FALSE(stepper.done()) << "the faces have passed through each other";
     const auto* failure = std::get_if<assembly::Failure>(&outcome);
     if (!failure) continue;
-    EXPECT_EQ(failure->kind, assembly::FailureKind::ContactLost) << describe(*failure);
-    EXPECT_NE(failure->place.find("of crack 'main'"), std::string::npos);
+    EXPECT_EQ(failure->kind, assembly::FailureKind::ContactLost) << name_of(failure->kind);
+    const auto& passed = std::get<assembly::PassedPoint>(failure->finding);
+    EXPECT_EQ(passed.crack, 0);
+    EXPECT_GT(passed.depth, model.surfaces.search_radius);
     break;
   }
 }
@@ -287,10 +291,10 @@ TEST(Newton, FailsWhereTheRoundingOfTheSpringsHidesTheForces) {
     assembly::Assembler assembler(model);
     LinearSolver solver(Factorisation::Unsymmetric);
     const auto increment =
-        solve_increment(model, constraints_of(model), state_at_rest(model), {1e-5}, {}, assembler, solver, {});
+        solve_increment({model, constraints_of(model), state_at_rest(model), {}, assembler, solver}, {1e-5});
     EXPECT_EQ(!increment.failure, converges) << scale;
     if (!converges && increment.failure) {
-      EXPECT_EQ(increment.failure->advice, "a softer penalty");
+      EXPECT_TRUE(std::holds_alternative<assembly::RoundingOfSprings>(increment.failure->finding));
     }
   }
 }
@@ -306,8 +310,8 @@ TEST(Newton, AnIncrementOfNothingFromAConvergedStateNeedsNoIteration) {
   controls.extrapolate = false;
   const assembly::State& state = stepper.state();
   const auto increment =
-      solve_increment(model, constraints_of(model), state, {state.load}, controls, assembler, solver, {});
-  ASSERT_FALSE(increment.failure) << describe(*increment.failure);
+      solve_increment({model, constraints_of(model), state, controls, assembler, solver}, {state.load});
+  ASSERT_FALSE(increment.failure) << name_of(increment.failure->kind);
   EXPECT_LE(increment.iterations.size(), 1u) << "the moved anchors reproduce the tractions";
   EXPECT_LT((increment.displacement - state.displacement).cwiseAbs().maxCoeff(), 1e-9);
 }
@@ -320,7 +324,7 @@ TEST(LoadStepper, RetriesHoweverShortThePlannedIncrementsAre) {
   controls.newton.max_iterations = 4;
   LoadStepper stepper(model, controls);
   const auto outcome = stepper.advance();
-  ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+  ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
   EXPECT_GT(std::get<Step>(outcome).cuts, 0);
 }
 

@@ -61,7 +61,7 @@ TEST(Path, PassesTheLimitLoadOfABar) {
   int falling = 0;
   while (stretch_of(model, stepper.state()) < 8.0) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     const assembly::State& s = stepper.state();
     EXPECT_NEAR(s.load, nominal_stress(stretch_of(model, s)) / kTraction, 1e-7);
     highest = std::max(highest, s.load);
@@ -95,7 +95,7 @@ TEST(Path, EndsAtATurnOfTheLoad) {
   bool by_path = false, hit = false;
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     const assembly::State& s = stepper.state();
     EXPECT_NEAR(factor(s.load, kTurn), nominal_stress(stretch_of(model, s)) / kTraction, 1e-7);
     by_path = by_path || stepper.place().stretch > 0.0;
@@ -180,7 +180,7 @@ TEST(Path, PassesLoadOneOnItsWayThere) {
   place.stretch = 2.0;  // to a load of about 1.06
   stepper.restore(stepper.state(), place);
   const auto outcome = stepper.advance();
-  ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+  ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
   EXPECT_EQ(std::get<Step>(outcome).cuts, 0);
   EXPECT_EQ(stepper.state().load, 1.0);
 }
@@ -217,7 +217,7 @@ TEST(Path, EndsWhereTheBodyOnlyUnloads) {
   const auto outcome = stepper.advance();
   ASSERT_TRUE(std::holds_alternative<assembly::Failure>(outcome));
   EXPECT_EQ(std::get<assembly::Failure>(outcome).kind, assembly::FailureKind::Unloads)
-      << describe(std::get<assembly::Failure>(outcome));
+      << name_of(std::get<assembly::Failure>(outcome).kind);
   EXPECT_EQ(stepper.state().load, load);
 }
 
@@ -233,7 +233,7 @@ TEST(Path, FollowsAYieldingBlockBackAndHitsItsOutputs) {
   int falling = 0;
   while (stepper.state().load < 0.56) {
     const auto outcome = stepper.advance();
-    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << describe(std::get<assembly::Failure>(outcome));
+    ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     const auto& step = std::get<Step>(outcome);
     ASSERT_LT(step.number, 100);
     if (step.is_output) outputs.push_back(step.load);

@@ -17,14 +17,15 @@ assembly::State that_flowed(double accumulated) {
 TEST(ElasticUnloading, IsAFallingLoadOfAStableBodyThatFlowedAndDoesNot) {
   const assembly::State before = that_flowed(0.1);
   const auto same = before.history.plastic;
-  EXPECT_TRUE(unloads_elastically(before, same, 0.4, true));
-  EXPECT_FALSE(unloads_elastically(before, same, 0.4, false)) << "a branch beyond a limit point";
-  EXPECT_FALSE(unloads_elastically(before, same, 0.6, true)) << "the load rises";
+  EXPECT_TRUE(unloads_elastically(before, same, 0.4, Determinant::Positive));
+  EXPECT_FALSE(unloads_elastically(before, same, 0.4, Determinant::NegativeOrUnknown))
+      << "a branch beyond a limit point";
+  EXPECT_FALSE(unloads_elastically(before, same, 0.6, Determinant::Positive)) << "the load rises";
   auto more = same;
   more[1].accumulated = 0.01;
-  EXPECT_FALSE(unloads_elastically(before, more, 0.4, true)) << "it flows";
+  EXPECT_FALSE(unloads_elastically(before, more, 0.4, Determinant::Positive)) << "it flows";
   const assembly::State elastic = that_flowed(0.0);
-  EXPECT_FALSE(unloads_elastically(elastic, elastic.history.plastic, 0.4, true)) << "it never flowed";
+  EXPECT_FALSE(unloads_elastically(elastic, elastic.history.plastic, 0.4, Determinant::Positive)) << "it never flowed";
 }
 
 assembly::Energies of(double work, double elastic) {

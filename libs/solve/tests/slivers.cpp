@@ -38,7 +38,7 @@ Outcome solve(const assembly::Model& m) {
   while (!stepper.done()) {
     const auto outcome = stepper.advance();
     if (!std::holds_alternative<Step>(outcome)) {
-      ADD_FAILURE() << describe(std::get<assembly::Failure>(outcome));
+      ADD_FAILURE() << name_of(std::get<assembly::Failure>(outcome).kind);
       return out;
     }
     out.iterations += static_cast<long>(std::get<Step>(outcome).iterations.size());

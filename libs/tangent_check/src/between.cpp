@@ -23,7 +23,7 @@ StateBetween beyond(const solve::LoadStepper& stepper) {
   assembly::Assembler assembler(stepper.model());
   solve::LinearSolver solver(solve::LoadStepper::factorisation_for(stepper.model()));
   const auto trial =
-      solve::solve_increment(stepper.model(), stepper.constraints(), state, {load}, once, assembler, solver, {});
+      solve::solve_increment({stepper.model(), stepper.constraints(), state, once, assembler, solver}, {load});
   return between(stepper.model(), state, trial.displacement, load);
 }
 

@@ -3,6 +3,7 @@
 #include <cleft/problem/build.hpp>
 #include <cleft/results/crack_profile.hpp>
 #include <cleft/scene/read.hpp>
+#include <cleft/simulation/failure_words.hpp>
 #include <cstdio>
 
 int main(int argc, char** argv) try {
@@ -13,7 +14,7 @@ int main(int argc, char** argv) try {
   while (!body.done()) {
     const auto outcome = body.advance();
     if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
-      std::fprintf(stderr, "%s\n", assembly::describe(*failure).c_str());
+      std::fprintf(stderr, "%s\n", simulation::describe(*failure, body.model()).c_str());
       return 3;
     }
     const auto& step = std::get<growth::Step>(outcome);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <variant>
@@ -130,8 +131,20 @@ struct MaterialPoint {
   Index element = kNone;
   geometry::MaybeSide side;
   Vec2 reference;
+  bool at_tip = false;  ///< in the ball of a tip, where displacements have branch functions
 };
 MaterialPoint material_point(const Model& model, Index number);
+
+/// Where an unknown is. Only displacements have a node, its place (metres) and, near a crack, a side.
+struct UnknownPosition {
+  enum class Of : std::uint8_t { Displacement, Amplitude, Multiplier };  ///< of a branch function; of contact
+  Of of = Of::Displacement;
+  Index node = kNone;
+  Vec2 reference = Vec2::Zero();
+  geometry::MaybeSide side{};
+};
+/// Of one of an unknown's two components.
+UnknownPosition position_of(const Model& model, Index component);
 
 /// What a law is asked at (kinematics.hpp) at a material point: the deformation gradient, at small strain that of the
 /// displacement; from the components of all unknowns.

@@ -38,8 +38,9 @@ struct RunOptions {
 
 struct RunResult : results::Counts {
   enum class End { Done, Failed, Stopped, NotWritten } end = End::Done;
-  assembly::Failure failure;  ///< with End::Failed
-  std::string unwritten;      ///< with End::NotWritten: path and reason
+  assembly::Failure failure;   ///< with End::Failed,
+  std::string reason, advice;  ///< and in words (failure_words.hpp)
+  std::string unwritten;       ///< with End::NotWritten: path and reason
   double load = 0.0;
   long advances = 0;                             ///< of all tips
   std::vector<results::CriticalPoint> critical;  ///< in order, of runs with loading.control = "path"

@@ -58,24 +58,33 @@ struct Increment {
 
 using IterationObserver = std::function<void(int iteration, const Iteration&)>;
 
+/// What the increments of a model have in common; all that it names must outlive it.
+struct NewtonProblem {
+  const assembly::Model& model;
+  const std::vector<assembly::Constraint>& constraints;
+  const assembly::State& state;  ///< the last converged one, which is only read
+  const NewtonControls& controls;
+  assembly::Assembler& assembler;
+  LinearSolver& solver;
+  IterationObserver observer{};
+};
+
 /// A residual that rounding leaves is not worth a word up to this part of the forces.
 inline constexpr double kUnnoticedResidual = 1e-5;
 
-/// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. `state` is
-/// only read. Converged when residual and last correction are both below their tolerances, or when rounding ends the
-/// iteration: the residual is at its level, and is below kUnnoticedResidual of the largest force that the run has had
-/// or no longer falls. One above 1e-2 is a failure, and so are contact springs so stiff that their rounding hides the
-/// forces; of a body that bears nothing all forces are rounding, which is none. A correction that the stiffness turns
-/// into forces below the residual's tolerance is small, too: in a hold there is no displacement to compare it with. The
-/// last correction is made with the factors of the one before if these suffice. Where hats still change late in the
-/// iteration the correction solves their contact exactly, with all else linear; where points return to an active set
-/// and the residual does not fall (chatter), corrections are halved.
+/// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. Converged
+/// when residual and last correction are both below their tolerances, or when rounding ends the iteration: the residual
+/// is at its level, and is below kUnnoticedResidual of the largest force that the run has had or no longer falls. One
+/// above 1e-2 is a failure, and so are contact springs so stiff that their rounding hides the forces; of a body that
+/// bears nothing all forces are rounding, which is none. A correction that the stiffness turns into forces below the
+/// residual's tolerance is small, too: in a hold there is no displacement to compare it with. The last correction is
+/// made with the factors of the one before if these suffice. Where hats still change late in the iteration the
+/// correction solves their contact exactly, with all else linear; where points return to an active set and the residual
+/// does not fall (chatter), corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
-Increment solve_increment(const assembly::Model& model, const std::vector<assembly::Constraint>& constraints,
-                          const assembly::State& state, const Goal& goal, const NewtonControls& controls,
-                          assembly::Assembler& assembler, LinearSolver& solver, const IterationObserver& observer);
+Increment solve_increment(const NewtonProblem& problem, const Goal& goal);
 
 /// How fast an iteration converged.
 struct ConvergenceOrder {

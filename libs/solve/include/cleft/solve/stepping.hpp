@@ -133,45 +133,61 @@ class LoadStepper {
   static Factorisation factorisation_for(const assembly::Model& model);
 
  private:
-  double planned() const { return 1.0 / controls_.steps; }
-  bool goes_on() const;
-  double next_end(double before) const;
-  double lowest() const;
-  double next_mark() const;
-  Increment solve(const Goal& goal, const IterationObserver& observer);
-  Increment try_path(const IterationObserver& observer);
-  std::optional<Increment> lead_by_load(const IterationObserver& observer);
-  bool knows_path() const;
-  bool is_longer(double part) const;
-  bool shorten(double taken, double least);
-  double fitting(double missed) const;
-  void lengthen(bool easy, double fits);
-  double cut_short(const Increment& increment) const;
-  double missed_work(const assembly::State& before, bool goes_on) const;
-  assembly::Failure given_up(assembly::Failure failure, double load, double size) const;
-  Step commit(const Increment& increment);
-  std::optional<Step> commit_if_accurate(const Increment& increment, bool easy, bool goes_on);
-  Step commit_on_path(const Increment& increment, bool easy);
-  bool is_guarded() const;
-  double rounding_of_energy() const;
-  std::optional<assembly::Failure> refuse(const Increment& increment) const;
-  std::optional<assembly::Failure> end_of_path() const;
-  assembly::Failure led_back() const;
+  enum class Effort : std::uint8_t { Little, Much };        // that an increment took: after little the next may grow
+  enum class Guide : std::uint8_t { LastIncrement, None };  // to how the next one will go: nothing is at a kink
   struct Committed {
     assembly::State state;
     StepPlace place;
     std::vector<contact::Pair> pairs;
   };
-  void go_back_to(const Committed& before);
+  struct Attempt {
+    bool along_path = false;
+    double taken = 0.0;  // of the load, if it is not along the path
+    double size = 0.0;   // the same, or the stretch of the path
+    double flow = 0.0;   // the largest in a cell; 0 along the path
+    Increment increment{};
+  };
+  // The attempts at one increment so far.
   struct Tries {
-    double least = 0.0;  // increment of the load
-    int cuts = 0;
+    Guide guide = Guide::None;
+    double least = 0.0;                // increment of the load
+    double before = 2.0;               // a load at which the increment ends if it would go beyond
+    int cuts = 0, iterations = 0;      // in vain
     std::optional<StepPlace> dropped;  // where an increment of the load seemed to jump
     bool believes = false;             // keeps it after all
     bool led = false;                  // by the load, past a kink of the path
   };
+
+  double planned() const { return 1.0 / controls_.steps; }
+  static bool is_easy(const Increment& increment);
+  double next_end(double before) const;
+  double lowest() const;
+  double next_mark() const;
+  Increment solve(const Goal& goal, const IterationObserver& observer);
+  Increment try_path(const IterationObserver& observer);
+  bool knows_path() const;
+  bool is_longer(double part) const;
+  bool shorten(double taken, double least);
+  double fitting(double missed) const;
+  void lengthen(Effort effort, double fits);
+  double cut_short(const Increment& increment) const;
+  double missed_work(const assembly::State& before, Guide guide) const;
+  assembly::Failure given_up(assembly::Failure failure, double load, double size) const;
+  Step commit(const Increment& increment);
+  std::optional<Step> commit_if_accurate(const Increment& increment, Effort effort, Guide guide);
+  Step commit_on_path(const Increment& increment, Effort effort);
+  bool is_guarded() const;
+  std::optional<assembly::Failure> refuse(const Increment& increment) const;
+  std::optional<assembly::Failure> end_of_path() const;
+  assembly::Failure led_back() const;
+  void go_back_to(const Committed& before);
+  Tries first_try(const Event& event);
   bool try_again(double taken, Tries& tries);
-  std::optional<Step> keep(const Increment& increment, bool easy, bool goes_on, Tries& tries);
+  Attempt attempt(const Tries& tries, const IterationObserver& observer);
+  bool is_too_long(const Attempt& tried, const Event& event, Tries& tries);
+  void lead_by_load(Increment& increment, Tries& tries, const IterationObserver& observer);
+  Effort effort_of(const Increment& increment, double flow, const Tries& tries) const;
+  std::optional<Step> keep(const Increment& increment, double flow, Tries& tries);
   void end_account();
 
   const assembly::Model& model_;
