@@ -29,7 +29,7 @@ struct Assembler::PairColumns {
     double start, end;  // weights of the two inputs at `input`, `input + 2`
     int input;
   };
-  std::array<Column, 4 * enrichment::ShortList<Index>::kCapacity> columns;
+  std::array<Column, 4 * enrichment::InlinedVector<Index>::kCapacity> columns;
   int count = 0;
   int rows = 0;  // the first of them, on which the force acts
 

@@ -37,7 +37,7 @@ class Columns {
   const Column& operator[](int k) const { return columns_[k]; }
 
  private:
-  std::array<Column, 2 * enrichment::ShortList<Index>::kCapacity + 2> columns_;
+  std::array<Column, 2 * enrichment::InlinedVector<Index>::kCapacity + 2> columns_;
   int count_ = 0;
 };
 

@@ -5,15 +5,15 @@
 #include <array>
 #include <vector>
 
-#include "cleft/enrichment/short_list.hpp"
+#include "cleft/enrichment/inlined_vector.hpp"
 #include "cleft/enrichment/unknowns.hpp"
 
 namespace cleft::enrichment {
 
 /// u = sum_k weight_k q_k over three vector unknowns q_k, or seven in the ball of a tip.
 struct Stencil {
-  ShortList<Index> unknown;
-  ShortList<double> weight;
+  InlinedVector<Index> unknown;
+  InlinedVector<double> weight;
 
   /// The displacement, metres, from the components of all unknowns.
   Vec2 displacement(const VecX& components) const {

@@ -11,13 +11,13 @@ namespace cleft::enrichment {
 /// Three entries for a triangle, seven where the branch functions of a tip reach it. Behaves as a std::array whose size
 /// is known at run time; entries beyond the size are unspecified.
 template <class T>
-class ShortList {
+class InlinedVector {
  public:
   static constexpr std::size_t kCapacity = 7;
 
-  ShortList() : entries_{} {}
+  InlinedVector() : entries_{} {}
   template <std::size_t count>
-  ShortList(const std::array<T, count>& entries) : entries_{}, size_(count) {  // NOLINT: an array is such a list
+  InlinedVector(const std::array<T, count>& entries) : entries_{}, size_(count) {  // NOLINT: an array is such a list
     static_assert(count <= kCapacity);
     for (std::size_t k = 0; k < count; ++k) entries_[k] = entries[k];
   }
