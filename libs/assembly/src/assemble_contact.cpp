@@ -11,8 +11,8 @@ namespace cleft::assembly {
 void Assembler::find_contact(const VecX& displacement, const History& history, contact::Conditions conditions) {
   const auto& s = model_.surfaces;
   search_.run(s, displacement, history.contact, history.deepest, pairs_);
-  if (s.hats.empty()) return;
-  multipliers_.run(s, face_positions(), pairs_, displacement, history.hats, conditions);
+  if (s.multiplier_space.empty()) return;
+  multipliers_.run(s, face_positions(), pairs_, displacement, history.multipliers, conditions);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
     auto& state = pairs_[p].state;
@@ -34,7 +34,7 @@ struct Assembler::PairColumns {
   int rows = 0;  // the first of them, on which the force acts
 
   PairColumns(const contact::Surfaces& surfaces, Index point, const contact::Pair& pair,
-              const contact::Memory& memory) {
+              const contact::ContactState& memory) {
     const auto& faces = surfaces.faces;
     add_ends(faces[surfaces.points[point].face], 0);
     add_ends(faces[pair.partner_face], 4);
@@ -63,7 +63,7 @@ struct Assembler::PairColumns {
   }
 };
 
-void Assembler::assemble_contact(const std::vector<contact::Memory>& memory) {
+void Assembler::assemble_contact(const std::vector<contact::ContactState>& memory) {
   const PhaseTimer timer(seconds_.contact);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];

@@ -1,4 +1,4 @@
-// The assembler's part for mortar contact: tractions on hats and their conditions.
+// The assembler's part for mortar contact: tractions on hat functions and their conditions.
 #include <array>
 
 #include "cleft/assembly/assembler.hpp"
@@ -7,7 +7,7 @@
 namespace cleft::assembly {
 namespace {
 
-using contact::kGapOutput, contact::kNodeInputs, contact::kOverlapInputs, contact::kSupportOutput;
+using contact::kGapOutput, contact::kNodeInputs, contact::kMortarInputs, contact::kSupportOutput;
 
 // An unknown and its weights in the inputs `input` and `input + 2` of the integrals over an overlap.
 struct Column {
@@ -24,10 +24,11 @@ class Columns {
       if (s != 0.0 || e != 0.0) columns_[count_++] = {face.start.unknown[k], s, e, input};
     }
   }
-  // The multipliers of both nodes of the interval of a strip.
-  void add(const contact::Surfaces& surfaces, Index strip, int input) {
-    const double scale = surfaces.mortar[surfaces.faces[surfaces.hats.strips[strip].face].crack].scale;
-    for (const Index node : surfaces.hats.ends(strip)) {
+  // The multipliers of both nodes of the interval of a interval part.
+  void add(const contact::Surfaces& surfaces, Index interval_part, int input) {
+    const double scale =
+        surfaces.mortar[surfaces.faces[surfaces.multiplier_space.interval_parts[interval_part].face].crack].scale;
+    for (const Index node : surfaces.multiplier_space.ends(interval_part)) {
       columns_[count_++] = {surfaces.first_multiplier + node, scale, 0.0, input};
       input += 2;
     }
@@ -41,12 +42,13 @@ class Columns {
   int count_ = 0;
 };
 
-// A strip and a face opposite it: the unknowns of the strip's face, of the other one and of the strip's nodes.
-Columns columns_of(const contact::Surfaces& surfaces, Index strip, Index face) {
+// A interval part and a face opposite it: the unknowns of the interval part's face, of the other one and of the
+// interval part's nodes.
+Columns columns_of(const contact::Surfaces& surfaces, Index interval_part, Index face) {
   Columns out;
-  out.add(surfaces.faces[surfaces.hats.strips[strip].face], 0);
+  out.add(surfaces.faces[surfaces.multiplier_space.interval_parts[interval_part].face], 0);
   out.add(surfaces.faces[face], 4);
-  out.add(surfaces, strip, kNodeInputs);
+  out.add(surfaces, interval_part, kNodeInputs);
   return out;
 }
 
@@ -60,53 +62,54 @@ Mat2 block_of(const Rows& rows, const Column& column) {
 
 }  // namespace
 
-// Where in the matrix a strip and a face opposite it depend on each other, row by row.
-const std::vector<BlockMatrix::Place>& Assembler::places_of(Index strip, Index face) {
-  auto& met = opposite_[strip];
+// Where in the matrix a interval part and a face opposite it depend on each other, row by row.
+const std::vector<BlockMatrix::Place>& Assembler::places_of(Index interval_part, Index face) {
+  auto& met = opposite_[interval_part];
   for (const auto& [other, places] : met)
     if (other == face) return places;
-  const Columns columns = columns_of(model_.surfaces, strip, face);
+  const Columns columns = columns_of(model_.surfaces, interval_part, face);
   auto& places = met.emplace_back(Opposite{face, {}}).places;
   for (int r = 0; r < columns.size(); ++r)
     for (int c = 0; c < columns.size(); ++c) places.push_back(matrix_.find(columns[r].unknown, columns[c].unknown));
   return places;
 }
 
-void Assembler::assemble_hats(const contact::HatMemory& memory) {
+void Assembler::assemble_hats(const contact::MultiplierState& memory) {
   const PhaseTimer timer(seconds_.contact);
   const auto& m = multipliers_;
-  for (std::size_t o = 0; o < m.overlaps().size(); ++o) {
+  for (std::size_t o = 0; o < m.mortar_pairs().size(); ++o) {
     add_overlap(o);
-    for (Index p = m.overlaps()[o].first; p < m.overlaps()[o].last; ++p)
-      if (m.pieces()[p].trail != kNone && !model_.surfaces.undeformed)
-        add_anchor(p, memory.trails[m.pieces()[p].trail].anchor_face);
+    for (Index p = m.mortar_pairs()[o].first; p < m.mortar_pairs()[o].last; ++p)
+      if (m.mortar_segments()[p].anchor_map != kNone && !model_.surfaces.undeformed)
+        add_anchor(p, memory.anchor_maps[m.mortar_segments()[p].anchor_map].anchor_face);
   }
   for (Index node = 0; node < static_cast<Index>(m.nodes().size()); ++node) {
     add_condition(node);
-    if (!m.facing().empty() && m.facing()[node].overlap != kNone) add_facing(node);
+    if (!m.facing().empty() && m.facing()[node].mortar_pair != kNone) add_facing(node);
   }
 }
 
 // Forces, and the integrals in the conditions of its two nodes.
 void Assembler::add_overlap(std::size_t number) {
-  const auto& hats = model_.surfaces.hats;
-  const auto& [strip, partner, first, last] = multipliers_.overlaps()[number];
+  const auto& hats = model_.surfaces.multiplier_space;
+  const auto& [interval_part, partner, first, last] = multipliers_.mortar_pairs()[number];
   const auto& integrals = multipliers_.integrals()[number];
-  const Columns columns = columns_of(model_.surfaces, strip, partner);
-  const auto& places = places_of(strip, partner);
+  const Columns columns = columns_of(model_.surfaces, interval_part, partner);
+  const auto& places = places_of(interval_part, partner);
   const int forces = columns.size() - 2;
   for (int r = 0; r < forces; ++r) {
     const Column& row = columns[r];
     contact_force_.segment<2>(2 * row.unknown) +=
         row.start * integrals.value.segment<2>(row.input) + row.end * integrals.value.segment<2>(row.input + 2);
-    const Eigen::Matrix<double, 2, kOverlapInputs> by = row.start * integrals.force_by.middleRows<2>(row.input) +
-                                                        row.end * integrals.force_by.middleRows<2>(row.input + 2);
+    const Eigen::Matrix<double, 2, kMortarInputs> by = row.start * integrals.force_by.middleRows<2>(row.input) +
+                                                       row.end * integrals.force_by.middleRows<2>(row.input + 2);
     for (int c = 0; c < columns.size(); ++c) matrix_.add(places[r * columns.size() + c], block_of(by, columns[c]));
   }
   for (int k = 0; k < 2; ++k) {
-    const Index node = hats.ends(strip)[k];
+    const Index node = hats.ends(interval_part)[k];
     const auto& condition = multipliers_.conditions()[node];
-    const Vec2& by_cover = condition.by_cover[hats.strips[strip].interval == hats.nodes[node].before ? 0 : 1];
+    const Vec2& by_cover =
+        condition.by_cover[hats.interval_parts[interval_part].interval == hats.nodes[node].before ? 0 : 1];
     if (condition.by_integral.isZero(0.0) && condition.by_beyond.isZero(0.0) && by_cover.isZero(0.0)) continue;
     const auto support_by = [&](int j) { return integrals.node_by.row(kSupportOutput - kGapOutput + j); };
     Eigen::Matrix<double, 2, kNodeInputs> by =
@@ -123,15 +126,15 @@ void Assembler::add_overlap(std::size_t number) {
   }
 }
 
-// The slip in the conditions of a piece's nodes as it depends on the ends of its anchor's face.
+// The slip in the conditions of a mortar segment's nodes as it depends on the ends of its anchor's face.
 void Assembler::add_anchor(Index number, Index face) {
   const auto& surfaces = model_.surfaces;
-  const Index strip = multipliers_.pieces()[number].strip;
-  const auto ends = surfaces.hats.ends(strip);
+  const Index interval_part = multipliers_.mortar_segments()[number].interval_part;
+  const auto ends = surfaces.multiplier_space.ends(interval_part);
   const auto by_slip = [&](int k) { return multipliers_.conditions()[ends[k]].by_integral.y(); };
   if (by_slip(0) == 0.0 && by_slip(1) == 0.0) return;
-  const Columns columns = columns_of(surfaces, strip, face);
-  const auto& places = places_of(strip, face);
+  const Columns columns = columns_of(surfaces, interval_part, face);
+  const auto& places = places_of(interval_part, face);
   for (int k = 0; k < 2; ++k) {
     Eigen::Matrix<double, 2, kNodeInputs> by = Eigen::Matrix<double, 2, kNodeInputs>::Zero();
     by.row(1).tail<4>() = by_slip(k) * multipliers_.by_anchor()[number].row(k);
@@ -151,14 +154,14 @@ void Assembler::add_facing(Index node) {
   const Index row = surfaces.first_multiplier + node;
 
   Columns other;
-  other.add(surfaces, facing.strip, 0);
+  other.add(surfaces, facing.interval_part, 0);
   for (int k = 0; k < 2; ++k) {
     const double hat = (k == 0 ? 1.0 - facing.second : facing.second) * other[k].start;
     matrix_.add(matrix_.find(row, other[k].unknown), Vec2(hat * by_other.x(), -hat * by_other.y()).asDiagonal());
   }
-  const auto& [strip, partner, first, last] = multipliers_.overlaps()[facing.overlap];
-  const Columns columns = columns_of(surfaces, strip, partner);
-  const auto& places = places_of(strip, partner);
+  const auto& [interval_part, partner, first, last] = multipliers_.mortar_pairs()[facing.mortar_pair];
+  const Columns columns = columns_of(surfaces, interval_part, partner);
+  const auto& places = places_of(interval_part, partner);
   const int own = columns[columns.size() - 2].unknown == row ? columns.size() - 2 : columns.size() - 1;
   const Eigen::Matrix<double, 2, kNodeInputs> by = by_other.cwiseProduct(facing.slope) * facing.place.by;
   for (int c = 0; c < columns.size() - 2; ++c) matrix_.add(places[own * columns.size() + c], block_of(by, columns[c]));
@@ -166,7 +169,7 @@ void Assembler::add_facing(Index node) {
 
 // What a condition misses, and as it depends on the node itself and its neighbours.
 void Assembler::add_condition(Index node) {
-  const auto& hats = model_.surfaces.hats;
+  const auto& hats = model_.surfaces.multiplier_space;
   const auto& condition = multipliers_.conditions()[node];
   const Index row = model_.surfaces.first_multiplier + node;
   force_.segment<2>(2 * row) += condition.value;

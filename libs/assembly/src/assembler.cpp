@@ -41,18 +41,18 @@ void couple_tip_points(const std::vector<enrichment::TipPoint>& points, Coupling
     if (p == 0 || points[p].unknown != points[p - 1].unknown) couplings.add(points[p].unknown);
 }
 
-std::array<Index, 2> multipliers_of(const contact::Surfaces& surfaces, const contact::HatInterval& interval) {
+std::array<Index, 2> multipliers_of(const contact::Surfaces& surfaces, const contact::MultiplierInterval& interval) {
   return {surfaces.first_multiplier + interval.first, surfaces.first_multiplier + interval.second};
 }
 
 void couple_multipliers(const contact::Surfaces& surfaces, Couplings& couplings) {
-  for (const auto& interval : surfaces.hats.intervals) couplings.add(multipliers_of(surfaces, interval));
+  for (const auto& interval : surfaces.multiplier_space.intervals) couplings.add(multipliers_of(surfaces, interval));
 }
 
 void add_unknowns(const contact::Surfaces& surfaces, Index face, std::vector<Index>& out) {
   const auto& own = surfaces.faces[face].start.unknown;
   out.insert(out.end(), own.begin(), own.end());
-  const auto& hats = surfaces.hats;
+  const auto& hats = surfaces.multiplier_space;
   if (hats.empty()) return;
   for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
     const auto multipliers = multipliers_of(surfaces, hats.intervals[hats.strips[k].interval]);
@@ -102,7 +102,7 @@ Assembler::Assembler(const Model& model)
     : model_(model), patches_(patches_of(model)), room_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
     History rest{contact::memory_at_rest(model.surfaces)};
-    if (!model.surfaces.hats.empty()) rest.hats = contact::hats_at_rest(model.surfaces);
+    if (!model.surfaces.multiplier_space.empty()) rest.multiplier_space = contact::multipliers_at_rest(model.surfaces);
     find_contact(VecX::Zero(model.unknowns.components()), rest, contact::Conditions::OwnState);
     make_room(rest);
   }
@@ -129,7 +129,7 @@ void Assembler::build_pattern() {
   find_places(matrix_, model_.cells, places_);
   find_places(matrix_, patches_, patch_places_);
   find_places(matrix_, model_.tip_points, tip_places_);
-  opposite_.assign(model_.surfaces.hats.strips.size(), {});
+  opposite_.assign(model_.surfaces.multiplier_space.strips.size(), {});
   ++version_;
 }
 
@@ -145,8 +145,9 @@ void Assembler::make_room(const History& history) {
   }
   for (const auto& piece : multipliers_.pieces())
     add_with_neighbours(model_.surfaces.faces, piece.partner, kRoom,
-                        room_[model_.surfaces.hats.strips[piece.strip].face]);
-  for (const auto& trail : history.hats.trails) room_[trail.face].push_back(trail.anchor_face);
+                        room_[model_.surfaces.multiplier_space.strips[piece.strip].face]);
+  for (const auto& anchor_map : history.multipliers.anchor_maps)
+    room_[anchor_map.face].push_back(anchor_map.anchor_face);
   for (auto& faces : room_) {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -156,10 +157,11 @@ void Assembler::make_room(const History& history) {
 bool Assembler::has_room(const History& history) const {
   const auto& memory = history.contact;
   for (const auto& piece : multipliers_.pieces()) {
-    const auto& faces = room_[model_.surfaces.hats.strips[piece.strip].face];
+    const auto& faces = room_[model_.surfaces.multiplier_space.strips[piece.strip].face];
     const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(piece.partner)) return false;
-    if (piece.trail != kNone && !holds(history.hats.trails[piece.trail].anchor_face)) return false;
+    if (piece.anchor_map != kNone && !holds(history.multipliers.anchor_maps[piece.anchor_map].anchor_face))
+      return false;
   }
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
@@ -193,7 +195,7 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
     assemble_contact(history.contact);
-    if (!model_.surfaces.hats.empty()) assemble_hats(history.hats);
+    if (!model_.surfaces.multiplier_space.empty()) assemble_hats(history.multipliers);
     force_ += contact_force_;
   }
   for (Eigen::Index c = 0; c < force_.size(); ++c)

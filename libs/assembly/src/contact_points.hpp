@@ -12,7 +12,7 @@ inline bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair&
 
 // Whether a contact point only shows what its crack's hats carry.
 inline bool is_mortar(const contact::Surfaces& surfaces, std::size_t point) {
-  return !surfaces.hats.empty() && surfaces.is_mortar(surfaces.faces[surfaces.points[point].face].crack);
+  return !surfaces.multiplier_space.empty() && surfaces.is_mortar(surfaces.faces[surfaces.points[point].face].crack);
 }
 
 }  // namespace cleft::assembly

@@ -50,7 +50,8 @@ State state_at_rest(const Model& model) {
   state.displacement = VecX::Zero(model.unknowns.components());
   state.previous_displacement = state.displacement;
   state.history.contact = contact::memory_at_rest(model.surfaces);
-  if (!model.surfaces.hats.empty()) state.history.hats = contact::hats_at_rest(model.surfaces);
+  if (!model.surfaces.multiplier_space.empty())
+    state.history.multipliers = contact::multipliers_at_rest(model.surfaces);
   if (model.has_memory()) state.history.plastic.resize(model.material_points());
   state.prescribed_force = VecX::Zero(static_cast<Eigen::Index>(constraints_of(model).size()));
   state.previous_prescribed_force = state.prescribed_force;

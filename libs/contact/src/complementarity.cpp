@@ -42,7 +42,8 @@ bool is_same(double a, double b) {
 }
 
 // What is done does not depend on how nodes are numbered, nor on the sense of the slip: those that are equally wrong,
-// as opposite ones of a crack with hats on both faces, change together, and blind changes go by rank and by trial.
+// as opposite ones of a crack with hat functions on both faces, change together, and blind changes go by rank and by
+// trial.
 class Search {
  public:
   Search(const ContactProblem& problem, std::vector<NodeChoice>& choice)

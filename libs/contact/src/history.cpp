@@ -41,7 +41,7 @@ Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, cons
 }
 
 // Where a point without an anchor takes hold: without tangential gap.
-void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, Memory& memory) {
+void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, ContactState& memory) {
   memory.anchor_face = pair.partner_face;
   memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
 }
@@ -49,7 +49,7 @@ void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const
 double mean(double a, double b) { return 0.5 * (a + b); }
 
 // The part of the increment over which the point presses if its normal gap changes evenly.
-double pressed_part(const Springs& springs, const PairState& now, const Memory& memory) {
+double pressed_part(const Springs& springs, const PairState& now, const ContactState& memory) {
   if (now.traction.status != Status::Open) return 1.0;
   const double pull = springs.normal * std::fmax(0.0, now.normal_gap);
   return pull > memory.normal ? memory.normal / (memory.normal - pull) : 0.0;
@@ -57,7 +57,8 @@ double pressed_part(const Springs& springs, const PairState& now, const Memory& 
 
 // Per unit of the ramp. What the springs would bear without sliding goes beyond the strength by what the slide takes
 // off.
-double friction_work(const InterfaceLaw& law, const Springs& springs, const PairState& now, const Memory& memory) {
+double friction_work(const InterfaceLaw& law, const Springs& springs, const PairState& now,
+                     const ContactState& memory) {
   if (now.traction.status == Status::Stick) return 0.0;
   const double pressed = pressed_part(springs, now, memory);
   const double trial = memory.tangential + pressed * (springs.tangential * now.tangential_gap - memory.tangential);
@@ -77,7 +78,7 @@ Vec2 to_partner(const FacePositions& at, const Point& point, const Pair& pair) {
 }  // namespace
 
 double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index p,
-                         const Pair& pair, const Memory& memory) {
+                         const Pair& pair, const ContactState& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
@@ -88,7 +89,8 @@ double touching_friction(const Surfaces& surfaces, const FacePositions& before, 
 }
 
 // theory (7.7)
-Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
+CommittedPoint commit(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                      const ContactState& memory) {
   const Point& point = surfaces.points[p];
   const Index crack = surfaces.faces[point.face].crack;
   const Springs& springs = surfaces.springs[crack];
@@ -96,17 +98,17 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   const double tn = now.traction.normal, tt = now.traction.tangential;
 
   if (pair.partner_face == kNone || now.ramp == 0.0) {
-    Memory gone;
+    ContactState gone;
     gone.state = memory.state;
     gone.ramp = 0.0;
     return {gone, 0.0, memory.ramp * springs.stored_energy(memory.normal, memory.tangential)};
   }
-  Memory next = memory;
+  ContactState next = memory;
   next.normal = tn;
   next.tangential = tt;
   next.ramp = now.ramp;
   next.slope = now.slope;
-  Advance out{next};
+  CommittedPoint out{next};
   out.pressure = mean(springs.stored_energy(tn, tt), springs.stored_energy(memory.normal, memory.tangential)) *
                  (memory.ramp - now.ramp);
   if (pair.anchored) {
@@ -129,9 +131,10 @@ Advance advance(const Surfaces& surfaces, const FacePositions& at, Index p, cons
   return out;
 }
 
-Memory follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, const Memory& memory) {
+ContactState follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
+                    const ContactState& memory) {
   const PairState& now = pair.state;
-  Memory next;
+  ContactState next;
   next.state = memory.state;
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;

@@ -18,43 +18,43 @@ bool has_hats_on_both_faces(const Surfaces& surfaces) {
 
 // The place nearest to a node that has something opposite.
 struct Nearest {
-  Index overlap = kNone;
+  Index mortar_pair = kNone;
   double away = 0.0, eta = 0.0;
   Bound bound;
 };
 
-// Of each node whose other face has hats, too.
-std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<Piece>& pieces,
-                                    const std::vector<Overlap>& overlaps) {
-  const auto& hats = surfaces.hats;
+// Of each node whose other face has hat functions, too.
+std::vector<Nearest> nearest_places(const Surfaces& surfaces, const std::vector<MortarSegment>& mortar_segments,
+                                    const std::vector<MortarPair>& mortar_pairs) {
+  const auto& hats = surfaces.multiplier_space;
   std::vector<Nearest> out(hats.nodes.size());
-  for (Index o = 0; o < static_cast<Index>(overlaps.size()); ++o) {
-    const auto& [strip, partner, first, last] = overlaps[o];
+  for (Index o = 0; o < static_cast<Index>(mortar_pairs.size()); ++o) {
+    const auto& [interval_part, partner, first, last] = mortar_pairs[o];
     if (!hats.on(partner)) continue;
-    const auto& face = surfaces.faces[hats.strips[strip].face];
+    const auto& face = surfaces.faces[hats.interval_parts[interval_part].face];
     const double length = face.s_end - face.s_start;
     const auto offer = [&](Index node, double eta, const Bound& bound) {
       const double away = std::fabs(face.s_start + eta * length - hats.nodes[node].s);
       // Of two that meet at the node: that of the same face also if the crack's points come in reverse order.
       const double tie = face.side == geometry::Side::Left ? kTie * length : -kTie * length;
-      if (out[node].overlap == kNone || away < out[node].away + tie) out[node] = {o, away, eta, bound};
+      if (out[node].mortar_pair == kNone || away < out[node].away + tie) out[node] = {o, away, eta, bound};
     };
-    const auto ends = hats.ends(strip);
-    offer(ends[0], pieces[first].begin, pieces[first].begin_at);
-    offer(ends[1], pieces[last - 1].end, pieces[last - 1].end_at);
+    const auto ends = hats.ends(interval_part);
+    offer(ends[0], mortar_segments[first].begin, mortar_segments[first].begin_at);
+    offer(ends[1], mortar_segments[last - 1].end, mortar_segments[last - 1].end_at);
   }
   return out;
 }
 
 }  // namespace
 
-HatMemory hats_at_rest(const Surfaces& surfaces) {
-  const auto& hats = surfaces.hats;
+MultiplierState multipliers_at_rest(const Surfaces& surfaces) {
+  const auto& hats = surfaces.multiplier_space;
   return {std::vector<Status>(hats.nodes.size(), Status::Stick),
           VecX::Zero(2 * static_cast<Index>(hats.nodes.size())),
           VecX::Zero(static_cast<Index>(hats.nodes.size())),
           std::vector<double>(hats.intervals.size(), 1.0),
-          trails_at_rest(surfaces),
+          anchor_maps_at_rest(surfaces),
           std::vector<double>(hats.nodes.size(), 0.0),
           std::vector<double>(hats.nodes.size(), 0.0),
           0.0,
@@ -62,8 +62,8 @@ HatMemory hats_at_rest(const Surfaces& surfaces) {
 }
 
 void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
-                      const HatMemory& memory, Conditions conditions) {
-  const auto& hats = surfaces.hats;
+                      const MultiplierState& memory, Conditions conditions) {
+  const auto& hats = surfaces.multiplier_space;
   nodes_.assign(hats.nodes.size(), {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const double scale = mortar_of(surfaces, hats.nodes[i]).scale;
@@ -76,23 +76,23 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
   if (has_hats_on_both_faces(surfaces)) face_each_other(surfaces, at);
   find_reached(surfaces);
   conditions_.assign(nodes_.size(), {});
-  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) judge(surfaces, i, memory, conditions);
+  for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) choose_conditions(surfaces, i, memory, conditions);
 }
 
 // theory (8.2)
 void Multipliers::find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                                const HatMemory& memory) {
-  const auto& hats = surfaces.hats;
-  pieces_ = find_pieces(surfaces, at, pairs, memory.trails);
-  overlaps_ = overlaps_of(pieces_);
-  integrals_.resize(overlaps_.size());
-  by_anchor_.resize(pieces_.size());
+                                const MultiplierState& memory) {
+  const auto& hats = surfaces.multiplier_space;
+  mortar_segments_ = find_mortar_segments(surfaces, at, pairs, memory.anchor_maps);
+  mortar_pairs_ = mortar_pairs_of(mortar_segments_);
+  integrals_.resize(mortar_pairs_.size());
+  by_anchor_.resize(mortar_segments_.size());
   covered_.assign(hats.intervals.size(), 0.0);
-  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
-    const auto& [strip, partner, first, last] = overlaps_[o];
+  for (std::size_t o = 0; o < mortar_pairs_.size(); ++o) {
+    const auto& [interval_part, partner, first, last] = mortar_pairs_[o];
     const auto own = static_cast<std::size_t>(first), count = static_cast<std::size_t>(last - first);
-    const auto ends = hats.ends(strip);
-    integrate(surfaces, at, memory.trails, std::span(pieces_).subspan(own, count),
+    const auto ends = hats.ends(interval_part);
+    integrate(surfaces, at, memory.anchor_maps, std::span(mortar_segments_).subspan(own, count),
               {nodes_[ends[0]].traction(), nodes_[ends[1]].traction()}, integrals_[o],
               std::span(by_anchor_).subspan(own, count));
     const auto& v = integrals_[o].value;
@@ -100,46 +100,53 @@ void Multipliers::find_overlaps(const Surfaces& surfaces, const FacePositions& a
       nodes_[ends[k]].gap += v(kGapOutput + 2 * k);
       nodes_[ends[k]].slip += v(kGapOutput + 1 + 2 * k);
       nodes_[ends[k]].support += v(kSupportOutput + k);
-      covered_[hats.strips[strip].interval] += v(kSupportOutput + k);
+      covered_[hats.interval_parts[interval_part].interval] += v(kSupportOutput + k);
     }
   }
 }
 
 // theory (8.6)
 void Multipliers::face_each_other(const Surfaces& surfaces, const FacePositions& at) {
-  const auto& hats = surfaces.hats;
-  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
-    const auto ends = hats.ends(overlaps_[o].strip);
+  const auto& hats = surfaces.multiplier_space;
+  for (std::size_t o = 0; o < mortar_pairs_.size(); ++o) {
+    const auto ends = hats.ends(mortar_pairs_[o].interval_part);
     for (int k = 0; k < 2; ++k)
       nodes_[ends[k]].reach += integrals_[o].length_ratio.value * integrals_[o].value(kSupportOutput + k);
   }
   facing_.resize(nodes_.size());
-  const auto nearest = nearest_places(surfaces, pieces_, overlaps_);
+  const auto nearest = nearest_places(surfaces, mortar_segments_, mortar_pairs_);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto& [overlap, away, eta, bound] = nearest[i];
-    if (overlap == kNone) continue;
-    const auto& [strip, partner, first, last] = overlaps_[overlap];
-    facing_[i] = borne_at(
-        surfaces, overlap,
-        bound.by_partner ? Moved{bound.place} : place_opposite(surfaces, at, hats.strips[strip].face, partner, eta));
+    const auto& [mortar_pair, away, eta, bound] = nearest[i];
+    if (mortar_pair == kNone) continue;
+    const auto& [interval_part, partner, first, last] = mortar_pairs_[mortar_pair];
+    facing_[i] = borne_at(surfaces, mortar_pair,
+                          bound.by_partner
+                              ? ValueAndGradient{bound.place}
+                              : place_opposite(surfaces, at, hats.interval_parts[interval_part].face, partner, eta));
   }
 }
 
-Facing Multipliers::borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const {
-  const auto& hats = surfaces.hats;
-  const Index partner = overlaps_[overlap].partner;
-  const Index strip = hats.strip_at(partner, place.value);
-  const auto hat = [&](double at) { return hats.second_hat(surfaces.faces[partner], hats.strips[strip], at); };
+Facing Multipliers::borne_at(const Surfaces& surfaces, Index mortar_pair, const ValueAndGradient& place) const {
+  const auto& hats = surfaces.multiplier_space;
+  const Index partner = mortar_pairs_[mortar_pair].partner;
+  const Index interval_part = hats.part_at(partner, place.value);
+  const auto hat = [&](double at) {
+    return hats.second_hat(surfaces.faces[partner], hats.interval_parts[interval_part], at);
+  };
   const auto opposite = [&](Index node) { return Vec2(nodes_[node].normal, -nodes_[node].tangential); };
-  const auto ends = hats.ends(strip);
+  const auto ends = hats.ends(interval_part);
   const Vec2 first = opposite(ends[0]), second = opposite(ends[1]);
   const double share = hat(place.value);
-  return {overlap, strip, share, (1.0 - share) * first + share * second, (hat(1.0) - hat(0.0)) * (second - first),
+  return {mortar_pair,
+          interval_part,
+          share,
+          (1.0 - share) * first + share * second,
+          (hat(1.0) - hat(0.0)) * (second - first),
           place};
 }
 
 void Multipliers::find_reached(const Surfaces& surfaces) {
-  const auto& hats = surfaces.hats;
+  const auto& hats = surfaces.multiplier_space;
   reached_.assign(nodes_.size(), false);
   bool reached = false;
   const auto count = static_cast<Index>(nodes_.size());
@@ -155,10 +162,10 @@ void Multipliers::find_reached(const Surfaces& surfaces) {
 
 // theory (8.1)
 Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta) const {
-  const auto& hats = surfaces.hats;
-  const Strip& strip = hats.strips[hats.strip_at(face, eta)];
-  const auto& interval = hats.intervals[strip.interval];
-  const double second = hats.second_hat(surfaces.faces[face], strip, eta);
+  const auto& hats = surfaces.multiplier_space;
+  const IntervalPart& interval_part = hats.interval_parts[hats.part_at(face, eta)];
+  const auto& interval = hats.intervals[interval_part.interval];
+  const double second = hats.second_hat(surfaces.faces[face], interval_part, eta);
   const NodeState &a = nodes_[interval.first], &b = nodes_[interval.second];
   const double normal = (1.0 - second) * a.normal + second * b.normal;
   const double tangential = (1.0 - second) * a.tangential + second * b.tangential;
@@ -173,7 +180,7 @@ Traction Multipliers::traction(const Surfaces& surfaces, Index face, double eta)
 // theory (8.5): half of the sum of l Z(l)
 double Multipliers::stored_energy(const Surfaces& surfaces) const {
   double out = 0.0;
-  const auto& hats = surfaces.hats;
+  const auto& hats = surfaces.multiplier_space;
   for (std::size_t e = 0; e < hats.intervals.size(); ++e) {
     const auto& [first, second, length] = hats.intervals[e];
     const Vec2 difference = nodes_[first].traction() - nodes_[second].traction();

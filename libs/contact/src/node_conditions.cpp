@@ -1,4 +1,4 @@
-// Which conditions the nodes of the hats have, and how these depend on everything.
+// Which conditions the nodes of the hat functions have, and how these depend on everything.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ struct Multipliers::Smoothing {
   double by_own = 0.0;                                       // on the node's tractions, m^2/Pa
   std::array<double, 2> by_neighbour{};                      // on those of the nodes before and after
   std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  // on what is covered of the two intervals, m
-  double by_beyond = 0.0;                                    // on NodeState::beyond, m/Pa; 0 where no hats are opposite
+  double by_beyond = 0.0;  // on NodeState::beyond, m/Pa; 0 where no hat functions are opposite
 };
 
 namespace {
@@ -80,8 +80,8 @@ class Multipliers::Rows {
 };
 
 // theory (8.4), (8.6)
-Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, const HatMemory& memory) {
-  const auto& hats = surfaces.hats;
+Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, const MultiplierState& memory) {
+  const auto& hats = surfaces.multiplier_space;
   const auto& node = hats.nodes[i];
   const auto& mortar = mortar_of(surfaces, node);
   auto& s = nodes_[i];
@@ -101,7 +101,7 @@ Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, co
     out.by_neighbour[k] = -soft.value;
     out.by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past;
   }
-  if (facing_.empty() || facing_[i].overlap == kNone) return out;
+  if (facing_.empty() || facing_[i].mortar_pair == kNone) return out;
   s.past_mismatch = {0.0, memory.mismatch[i]};
   s.beyond = s.support * (s.traction() - s.past_mismatch) - s.reach * facing_[i].traction;
   out.value += mortar.compliance * s.beyond;
@@ -111,8 +111,9 @@ Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, co
 }
 
 // theory (8.3)
-void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memory, Conditions conditions) {
-  const auto& node = surfaces.hats.nodes[i];
+void Multipliers::choose_conditions(const Surfaces& surfaces, Index i, const MultiplierState& memory,
+                                    Conditions conditions) {
+  const auto& node = surfaces.multiplier_space.nodes[i];
   auto& s = nodes_[i];
   const Smoothing smoothing = smooth(surfaces, i, memory);
   Rows rows(s, smoothing, node.length, mortar_of(surfaces, node).scale, conditions_[i]);
@@ -132,12 +133,12 @@ void Multipliers::judge(const Surfaces& surfaces, Index i, const HatMemory& memo
     rows.hold(0, s.gap);
     rows.hold(1, s.slip);
   } else {
-    judge_by_trial(surfaces, i, memory, rows);
+    choose_by_trial(surfaces, i, memory, rows);
   }
 }
 
-void Multipliers::judge_by_trial(const Surfaces& surfaces, Index i, const HatMemory& memory, Rows& rows) {
-  const auto& node = surfaces.hats.nodes[i];
+void Multipliers::choose_by_trial(const Surfaces& surfaces, Index i, const MultiplierState& memory, Rows& rows) {
+  const auto& node = surfaces.multiplier_space.nodes[i];
   const double c = mortar_of(surfaces, node).scale, touch = c * surfaces.touch().length * node.length;
   const bool held = memory.status[i] != Status::Open;
   auto& s = nodes_[i];

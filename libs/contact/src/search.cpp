@@ -110,15 +110,15 @@ void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositio
   }
 }
 
-void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<Memory>& memory, double deepest,
-                 std::vector<Pair>& pairs) {
+void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<ContactState>& memory,
+                 double deepest, std::vector<Pair>& pairs) {
   place_faces(surfaces, displacement, positions_);
   pairs.resize(surfaces.points.size());
   if (!surfaces.undeformed) return find_nearest(surfaces, memory, deepest, pairs);
   for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) pairs[p] = opposite(surfaces, positions_, p, memory[p]);
 }
 
-void Search::find_nearest(const Surfaces& surfaces, const std::vector<Memory>& memory, double deepest,
+void Search::find_nearest(const Surfaces& surfaces, const std::vector<ContactState>& memory, double deepest,
                           std::vector<Pair>& pairs) {
   collect_partners(surfaces);
   const double radius =  // theory (6.2)
@@ -171,14 +171,14 @@ void Search::collect_partners(const Surfaces& surfaces) {
   grid_.build(partner_start_, partner_end_);
 }
 
-ContactResponse response(const Surfaces& surfaces, Index p, const Pair& pair, const Memory& memory) {
+ContactResponse response(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& memory) {
   const Index crack = surfaces.faces[surfaces.points[p].face].crack;
   return respond(surfaces.laws[crack], surfaces.springs[crack],
                  {pair.state.normal_gap, pair.state.tangential_gap, pair.anchored}, surfaces.touch(), memory.state);
 }
 
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                       const Memory& memory) {
+                       const ContactState& memory) {
   const Index own = surfaces.points[p].face;
   PairPoints out{at.start[own], at.end[own], at.start[pair.partner_face], at.end[pair.partner_face],
                  Vec2::Zero(),  Vec2::Zero()};
@@ -189,7 +189,7 @@ PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index 
 }
 
 PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                             const Memory& memory) {
+                             const ContactState& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   PairConstants out{.law = surfaces.laws[face.crack],

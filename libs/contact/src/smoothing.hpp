@@ -1,4 +1,4 @@
-// The compliance of an interval of hats, theory (8.4).
+// The compliance of an interval of hat functions, theory (8.4).
 #pragma once
 
 #include "cleft/contact/surfaces.hpp"
@@ -8,7 +8,9 @@ namespace cleft::contact {
 /// The part of an interval below which its nodes lean on their neighbours.
 inline constexpr double kCover = 0.25;
 
-inline const Mortar& mortar_of(const Surfaces& surfaces, const HatNode& node) { return surfaces.mortar[node.crack]; }
+inline const Mortar& mortar_of(const Surfaces& surfaces, const MultiplierNode& node) {
+  return surfaces.mortar[node.crack];
+}
 
 /// kappa_e l_e / 12, and its derivative with regard to what is covered.
 struct Compliance {

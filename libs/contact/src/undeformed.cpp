@@ -24,7 +24,7 @@ Vec2 jump(const Surfaces& surfaces, const FacePositions& at, Index p) {
 }  // namespace
 
 // theory (6.4)
-Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const Memory& memory) {
+Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const ContactState& memory) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const FixedFrame f = fixed_frame(face);
@@ -41,7 +41,7 @@ Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const 
   return pair;
 }
 
-PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, const Memory& memory) {
+PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& memory) {
   const Point& point = surfaces.points[p];
   const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;

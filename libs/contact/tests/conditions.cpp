@@ -23,21 +23,21 @@ struct Place {
 
 // Five nodes on the lower face of a slider.
 struct Joint : Slider {
-  HatMemory hats_memory;
+  MultiplierState hats_memory;
 
   explicit Joint(double smoothing = 2.0, NegativeSide side = NegativeSide::Right) : Slider(side) {
     surfaces.laws[0] = Coulomb{kFriction};
     surfaces.mortar = {{true, 1.0, smoothing, kScale, 1.0 / kScale}};
-    std::vector<HatPlan> plan(surfaces.faces.size());
+    std::vector<MultiplierSpacing> plan(surfaces.faces.size());
     const double factor = side == NegativeSide::Both ? 0.5 : 1.0;
     for (std::size_t f = 0; f < plan.size(); ++f)
       if (surfaces.is_negative(surfaces.faces[f])) plan[f] = {0.25, factor};
-    surfaces.hats = make_hats(surfaces.faces, plan);
+    surfaces.multiplier_space = make_multiplier_space(surfaces.faces, plan);
     surfaces.first_multiplier = unknowns.count;
-    hats_memory = hats_at_rest(surfaces);
+    hats_memory = multipliers_at_rest(surfaces);
   }
 
-  Index nodes() const { return static_cast<Index>(surfaces.hats.nodes.size()); }
+  Index nodes() const { return static_cast<Index>(surfaces.multiplier_space.nodes.size()); }
 
   // The upper block at `by`, the same tractions everywhere but for a little that differs from node to node.
   Place place(const Vec2& by, double normal, double tangential) const {
@@ -67,12 +67,12 @@ void expect_derivative(Joint& joint, const Place& place, Index node) {
   const double step = 1e-8;
   const Multipliers here = joint.at(place), ahead = joint.at(place.moved(direction, step)),
                     behind = joint.at(place.moved(direction, -step));
-  const auto& hats = joint.surfaces.hats;
+  const auto& hats = joint.surfaces.multiplier_space;
   const auto rate = [&](const auto& of) { return ((of(ahead) - of(behind)) / (2.0 * step)); };
   const auto cover = [&](const Multipliers& m, Index interval) {
     double out = 0.0;
-    for (std::size_t o = 0; o < m.overlaps().size(); ++o)
-      if (hats.strips[m.overlaps()[o].strip].interval == interval)
+    for (std::size_t o = 0; o < m.mortar_pairs().size(); ++o)
+      if (hats.interval_parts[m.mortar_pairs()[o].interval_part].interval == interval)
         out += m.integrals()[o].value(kSupportOutput) + m.integrals()[o].value(kSupportOutput + 1);
     return out;
   };
@@ -152,7 +152,7 @@ TEST(NodeCondition, SlidingNodeBearsTheStrengthOfItsLaw) {
       const auto& node = m.nodes()[kNode];
       ASSERT_EQ(node.status, Status::Slip);
       const double strength = 0.3 * (1.0 - std::exp(kFriction * node.normal / 0.3));
-      const double length = joint.surfaces.hats.nodes[kNode].length;
+      const double length = joint.surfaces.multiplier_space.nodes[kNode].length;
       EXPECT_NEAR(m.conditions()[kNode].value.y(), length * (node.tangential - sense * strength), 1e-14);
       expect_derivative(joint, place, kNode);
     }
@@ -247,7 +247,7 @@ TEST(NodeCondition, FaceWithNothingOppositeBearsNothing) {
   const Place place = joint.place({0.0, 20.0}, -1.0, 0.1);
   const auto m = joint.at(place);
   for (Index i = 0; i < joint.nodes(); ++i) {
-    const Vec2 own = joint.surfaces.hats.nodes[i].length * place.tractions.segment<2>(2 * i);
+    const Vec2 own = joint.surfaces.multiplier_space.nodes[i].length * place.tractions.segment<2>(2 * i);
     EXPECT_EQ(m.nodes()[i].status, Status::Open);
     EXPECT_NEAR((m.conditions()[i].value - own).norm(), 0.0, 1e-14);
     expect_derivative(joint, place, i);
@@ -271,7 +271,7 @@ TEST(NodeCondition, NodeIsTiedToWhatTheOtherFaceBearsOppositeIt) {
   const double along = 0.11;
   const Place place = joint.place({along, 0.0}, -1.0, 0.1);
   const auto m = joint.at(place);
-  const auto& hats = joint.surfaces.hats;
+  const auto& hats = joint.surfaces.multiplier_space;
   int seen = 0;
   for (Index i = 0; i < joint.nodes(); ++i) {
     const auto& node = hats.nodes[i];
@@ -284,7 +284,7 @@ TEST(NodeCondition, NodeIsTiedToWhatTheOtherFaceBearsOppositeIt) {
       if (hats.nodes[j].side != node.side) expected += hat * Vec2(place.tractions[2 * j], -place.tractions[2 * j + 1]);
     }
     const auto& facing = m.facing()[i];
-    ASSERT_NE(facing.overlap, kNone);
+    ASSERT_NE(facing.mortar_pair, kNone);
     EXPECT_LT((facing.traction - expected).norm(), 1e-12) << i;
     EXPECT_NEAR(m.nodes()[i].reach, m.nodes()[i].support, 1e-14) << "nothing is stretched";
     EXPECT_EQ(facing.place.by.isZero(0.0), there == 0.0 || there == 1.0) << i;
@@ -298,12 +298,13 @@ TEST(NodeCondition, NodeAtAVertexFacesTheSamePlaceInAReversedCrack) {
   // Nodes lie at vertices of both faces here: the spacing is a multiple of the elements.
   Joint joint(2.0, NegativeSide::Both);
   const auto m = joint.at(joint.place({0.1, 0.0}, -1.0, 0.1));
-  const auto& hats = joint.surfaces.hats;
+  const auto& hats = joint.surfaces.multiplier_space;
   int judged = 0;
   for (Index i = 0; i < joint.nodes(); ++i) {
     const auto& node = hats.nodes[i];
     if (node.s < 0.2 || node.s > 0.8) continue;
-    const auto& face = joint.surfaces.faces[hats.strips[m.overlaps()[m.facing()[i].overlap].strip].face];
+    const auto& face =
+        joint.surfaces.faces[hats.interval_parts[m.mortar_pairs()[m.facing()[i].mortar_pair].interval_part].face];
     // seen along the body's own boundary, on either side of the crack: the segment on the same hand
     EXPECT_NEAR(node.side == geometry::Side::Left ? face.s_start : face.s_end, node.s, 1e-12);
     ++judged;

@@ -138,7 +138,7 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
     for (int k = 1; k <= increments; ++k) {
       go(0.05 + 0.1 * k / increments);
       for (std::size_t p = 0; p < s.pairs.size(); ++p)
-        work[p] += advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
+        work[p] += commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
       s.commit();
     }
     each([&](std::size_t p) {
@@ -153,8 +153,7 @@ TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOn
     s.look(s.shift({along, -deep}));
     std::vector<double> work;
     for (std::size_t p = 0; p < s.pairs.size(); ++p)
-      work.push_back(
-          advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction);
+      work.push_back(commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction);
     s.commit();
     return work;
   };
@@ -173,7 +172,7 @@ TEST_P(History, APointThatSticksFirstSlidesAtTheStrengthFromThereOn) {
   const double below = 0.5 * kStrength, beyond = 0.5 * kStrength + kTangential * slide - 3 * kStrength;
   const double at_onset = kStrength * (1.0 + 2.0 * below / (below + 0.03 * beyond));  // the body is softer
   each([&](std::size_t p) {
-    const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
     EXPECT_NEAR(next.friction, 0.5 * (at_onset + 3 * kStrength) * beyond / kTangential, 1e-12);
   });
 }
@@ -183,7 +182,7 @@ TEST_P(History, APointThatOpensSlidesUntilItOpens) {
   s.commit();
   s.look(s.shift({0.12, kDeep}));  // opens in the middle of the increment
   each([&](std::size_t p) {
-    const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
     EXPECT_NEAR(next.friction, 0.5 * kStrength * (0.01 + kElastic), 1e-12);
     EXPECT_NEAR(next.pressure, 0.0, 1e-12);
   });
@@ -191,7 +190,7 @@ TEST_P(History, APointThatOpensSlidesUntilItOpens) {
   each([&](std::size_t p) {
     auto smooth = s.memory[p];
     smooth.tangential = 0.0;
-    EXPECT_EQ(advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], smooth).friction, 0.0);
+    EXPECT_EQ(commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], smooth).friction, 0.0);
   });
 }
 
@@ -214,7 +213,7 @@ TEST_P(History, DissipationIsNeverNegativeToAndFro) {
     place += 0.02 * std::sin(1.7 * k) * std::cos(0.3 * k);
     go(place);
     each([&](std::size_t p) {
-      const auto next = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+      const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
       EXPECT_GE(next.friction, 0.0);
       EXPECT_GE(next.memory.state.slip, s.memory[p].state.slip);
       total += next.friction;

@@ -15,7 +15,7 @@ using geometry::Side;
 
 struct Layout {
   Surfaces surfaces;
-  std::vector<Memory> memory;
+  std::vector<ContactState> memory;
   Search search;
   std::vector<Pair> pairs;
 

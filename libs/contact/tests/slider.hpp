@@ -14,7 +14,7 @@ struct Slider {
   Surfaces surfaces;
   Search search;
   std::vector<Pair> pairs;
-  std::vector<Memory> memory;
+  std::vector<ContactState> memory;
 
   explicit Slider(NegativeSide side, int cells_along = 20)
       : mesh(geometry::structured_mesh({0, 0, 1, 1}, {cells_along, 5}, geometry::Diagonal::Right)),
@@ -29,16 +29,17 @@ struct Slider {
     memory = memory_at_rest(surfaces);
   }
 
-  // Mortar contact, with hats on the faces that carry the quadrature.
+  // Mortar contact, with hat functions on the faces that carry the quadrature.
   void give_hats(double spacing) {
     constexpr double kScale = 1e3;
     surfaces.mortar = {{true, 1.0, 1.0, kScale, 1.0 / kScale}};
     const double factor = surfaces.sides[0] == NegativeSide::Both ? 0.5 : 1.0;
-    std::vector<HatPlan> plan(surfaces.faces.size());
+    std::vector<MultiplierSpacing> plan(surfaces.faces.size());
     for (std::size_t f = 0; f < plan.size(); ++f)
       if (surfaces.is_negative(surfaces.faces[f])) plan[f] = {spacing, factor};
-    surfaces.hats = make_hats(surfaces.faces, plan);
-    surfaces.first_multiplier = enrichment::add_multipliers(unknowns, static_cast<Index>(surfaces.hats.nodes.size()));
+    surfaces.multiplier_space = make_multiplier_space(surfaces.faces, plan);
+    surfaces.first_multiplier =
+        enrichment::add_multipliers(unknowns, static_cast<Index>(surfaces.multiplier_space.nodes.size()));
   }
 
   VecX shift(const Vec2& by, double turn = 0.0) const {
@@ -59,7 +60,7 @@ struct Slider {
   void look(const VecX& u) { search.run(surfaces, u, memory, 0.0, pairs); }
   void commit() {
     for (std::size_t p = 0; p < pairs.size(); ++p)
-      memory[p] = advance(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
+      memory[p] = commit(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
   }
 };
 

@@ -1,4 +1,4 @@
-// Search and memory on two flat faces that slide past each other.
+// Search and state on two flat faces that slide past each other.
 #include <gtest/gtest.h>
 
 #include "slider.hpp"
@@ -102,7 +102,7 @@ TEST_P(Sliding, FrictionDissipatesPressureTimesSlip) {
   int passing = 0;
   for (std::size_t p = 0; p < s.pairs.size(); ++p) {
     if (s.pairs[p].state.traction.status != Status::Slip || s.memory[p].anchor_face == kNone) continue;
-    const auto a = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
     const double before = s.memory[p].ramp, after = s.pairs[p].state.ramp;
     passing += before != after;
     EXPECT_NEAR(a.friction, 0.5 * 0.03 * 0.5 * (before + after), 1e-12);
@@ -121,7 +121,7 @@ TEST_P(Sliding, SpringsThatRunPastTheMouthAreLost) {
   for (std::size_t p = 0; p < s.pairs.size(); ++p) {
     if (s.pairs[p].partner_face != kNone || s.memory[p].ramp == 0.0) continue;
     ++gone;
-    const auto a = advance(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
     EXPECT_NEAR(a.pressure, s.memory[p].ramp * 0.5 * (1.0 / 1e3 + 0.25 / 2e3), 1e-12);
     EXPECT_EQ(a.memory.ramp, 0.0);
     EXPECT_EQ(a.memory.anchor_face, kNone);

@@ -32,7 +32,7 @@ class Anchors {
  public:
   Anchors(const Model& from, const Model& to, const std::vector<Kept>& kept) : from_(from), to_(to), kept_(kept) {}
 
-  void move(Index old_point, Index point, contact::Memory& memory) const {
+  void move(Index old_point, Index point, contact::ContactState& memory) const {
     if (memory.anchor_face == kNone) return;
     const auto &was = from_.surfaces.points[old_point], &now = to_.surfaces.points[point];
     const auto &old_own = from_.surfaces.faces[was.face], &own = to_.surfaces.faces[now.face];
@@ -74,8 +74,8 @@ std::vector<Kept> kept_parts(const Model& from, const Model& to) {
   return out;
 }
 
-std::vector<contact::Memory> contact_on(const Model& from, const std::vector<contact::Memory>& memory,
-                                        const Model& to) {
+std::vector<contact::ContactState> contact_on(const Model& from, const std::vector<contact::ContactState>& memory,
+                                              const Model& to) {
   std::vector<std::vector<Index>> points_of(from.surfaces.faces.size());
   for (Index p = 0; p < static_cast<Index>(from.surfaces.points.size()); ++p)
     points_of[from.surfaces.points[p].face].push_back(p);

@@ -27,7 +27,8 @@ inline double place_on(const enrichment::Face& face, double s) {
 std::vector<Kept> kept_parts(const assembly::Model& from, const assembly::Model& to);
 
 /// Memory of the contact points of `to` from that of the points of `from`, whose cracks are the same or shorter.
-std::vector<contact::Memory> contact_on(const assembly::Model& from, const std::vector<contact::Memory>& memory,
-                                        const assembly::Model& to);
+std::vector<contact::ContactState> contact_on(const assembly::Model& from,
+                                              const std::vector<contact::ContactState>& memory,
+                                              const assembly::Model& to);
 
 }  // namespace cleft::growth

@@ -9,15 +9,15 @@ namespace cleft::growth {
 namespace {
 
 using assembly::Model;
-using contact::Trail;
+using contact::AnchorMap;
 
 constexpr double kShortestTrail = 1e-12;  // of a face: a shorter one is what rounding leaves between two
 
 bool same_side(const enrichment::Face& a, const enrichment::Face& b) { return a.crack == b.crack && a.side == b.side; }
 
 // The interval of a crack and side that holds an arc length, or kNone.
-Index interval_at(const Model& m, const contact::HatNode& where, double s) {
-  const auto& hats = m.surfaces.hats;
+Index interval_at(const Model& m, const contact::MultiplierNode& where, double s) {
+  const auto& hats = m.surfaces.multiplier_space;
   for (Index e = 0; e < static_cast<Index>(hats.intervals.size()); ++e) {
     const auto &first = hats.nodes[hats.intervals[e].first], &second = hats.nodes[hats.intervals[e].second];
     if (first.crack == where.crack && first.side == where.side && first.s <= s && s <= second.s) return e;
@@ -25,19 +25,20 @@ Index interval_at(const Model& m, const contact::HatNode& where, double s) {
   return kNone;
 }
 
-// The part [first, last] (arc lengths) of a trail on the old model.
-struct OldTrail {
+// The part [first, last] (arc lengths) of a anchor map on the old model.
+struct OldAnchorMap {
   const Model& model;
-  const Trail& trail;
+  const AnchorMap& anchor_map;
   double first, last;
 };
 
 // Adds it on a new face, by the new faces that hold its anchors.
-void add_trail(const OldTrail& old, const Model& to, Index face, std::vector<Trail>& out) {
+void add_trail(const OldAnchorMap& old, const Model& to, Index face, std::vector<AnchorMap>& out) {
   const auto& own = to.surfaces.faces[face];
-  const auto &was = old.model.surfaces.faces[old.trail.face], &anchor = old.model.surfaces.faces[old.trail.anchor_face];
-  const double s0 = at(was, old.trail.begin), a0 = at(anchor, old.trail.anchor_begin);
-  const double slope = (at(anchor, old.trail.anchor_end) - a0) / (at(was, old.trail.end) - s0);
+  const auto &was = old.model.surfaces.faces[old.anchor_map.face],
+             &anchor = old.model.surfaces.faces[old.anchor_map.anchor_face];
+  const double s0 = at(was, old.anchor_map.begin), a0 = at(anchor, old.anchor_map.anchor_begin);
+  const double slope = (at(anchor, old.anchor_map.anchor_end) - a0) / (at(was, old.anchor_map.end) - s0);
   const auto add = [&](Index g, double low, double high) {
     const auto& there = to.surfaces.faces[g];
     const double begin = place_on(own, low), end = place_on(own, high);
@@ -55,20 +56,20 @@ void add_trail(const OldTrail& old, const Model& to, Index face, std::vector<Tra
   }
 }
 
-std::vector<Trail> trails_on(const Model& from, const std::vector<Trail>& trails, const std::vector<Kept>& kept,
-                             const Model& to) {
-  std::vector<Trail> out;
-  for (const Trail& rest : contact::trails_at_rest(to.surfaces)) {
+std::vector<AnchorMap> trails_on(const Model& from, const std::vector<AnchorMap>& anchor_maps,
+                                 const std::vector<Kept>& kept, const Model& to) {
+  std::vector<AnchorMap> out;
+  for (const AnchorMap& rest : contact::anchor_maps_at_rest(to.surfaces)) {
     const auto& face = to.surfaces.faces[rest.face];
     const Kept& old = kept[face.crack];
     const double first = std::clamp(face.s_start, old.first, old.last),
                  last = std::clamp(face.s_end, old.first, old.last);
     const auto begins = static_cast<std::ptrdiff_t>(out.size());
-    for (const Trail& trail : trails) {
-      const auto& was = from.surfaces.faces[trail.face];
+    for (const AnchorMap& anchor_map : anchor_maps) {
+      const auto& was = from.surfaces.faces[anchor_map.face];
       if (!same_side(was, face)) continue;
-      const double low = std::max(first, at(was, trail.begin)), high = std::min(last, at(was, trail.end));
-      if (low < high) add_trail({from, trail, low, high}, to, rest.face, out);
+      const double low = std::max(first, at(was, anchor_map.begin)), high = std::min(last, at(was, anchor_map.end));
+      if (low < high) add_trail({from, anchor_map, low, high}, to, rest.face, out);
     }
     const auto at_rest = [&](double low, double high) {
       const double begin = place_on(face, low), end = place_on(face, high);
@@ -76,18 +77,19 @@ std::vector<Trail> trails_on(const Model& from, const std::vector<Trail>& trails
     };
     at_rest(face.s_start, std::min(face.s_end, old.first));
     at_rest(std::max(face.s_start, old.last), face.s_end);
-    std::sort(out.begin() + begins, out.end(), [](const Trail& a, const Trail& b) { return a.begin < b.begin; });
+    std::sort(out.begin() + begins, out.end(),
+              [](const AnchorMap& a, const AnchorMap& b) { return a.begin < b.begin; });
   }
   return out;
 }
 
 }  // namespace
 
-contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, const Model& to) {
-  if (to.surfaces.hats.empty()) return {};
+contact::MultiplierState hats_on(const Model& from, const contact::MultiplierState& memory, const Model& to) {
+  if (to.surfaces.multiplier_space.empty()) return {};
   const auto kept = kept_parts(from, to);
-  const auto &old = from.surfaces.hats, &now = to.surfaces.hats;
-  contact::HatMemory out = contact::hats_at_rest(to.surfaces);
+  const auto &old = from.surfaces.multiplier_space, &now = to.surfaces.multiplier_space;
+  contact::MultiplierState out = contact::multipliers_at_rest(to.surfaces);
   for (Index i = 0; i < static_cast<Index>(now.nodes.size()); ++i) {
     const auto& node = now.nodes[i];
     const Index e = kept[node.crack].holds(node.s) ? interval_at(from, node, node.s) : kNone;
@@ -113,15 +115,15 @@ contact::HatMemory hats_on(const Model& from, const contact::HatMemory& memory, 
     if (e != kNone) out.coverage[k] = memory.coverage[e];
   }
   out.stored = memory.stored;
-  out.trails = trails_on(from, memory.trails, kept, to);
+  out.anchor_maps = trails_on(from, memory.anchor_maps, kept, to);
   return out;
 }
 
-void put_multipliers(const Model& model, const contact::HatMemory& memory, VecX& components) {
+void put_multipliers(const Model& model, const contact::MultiplierState& memory, VecX& components) {
   const auto& surfaces = model.surfaces;
-  for (Index i = 0; i < static_cast<Index>(surfaces.hats.nodes.size()); ++i)
+  for (Index i = 0; i < static_cast<Index>(surfaces.multiplier_space.nodes.size()); ++i)
     components.segment<2>(2 * (surfaces.first_multiplier + i)) =
-        memory.multiplier.segment<2>(2 * i) / surfaces.mortar[surfaces.hats.nodes[i].crack].scale;
+        memory.multiplier.segment<2>(2 * i) / surfaces.mortar[surfaces.multiplier_space.nodes[i].crack].scale;
 }
 
 }  // namespace cleft::growth

@@ -28,24 +28,24 @@ struct Slid {
 
 TEST(HatTransfer, ToTheSameCrackChangesNothing) {
   const Slid slid;
-  const auto& before = slid.state.history.hats;
+  const auto& before = slid.state.history.multipliers;
   const auto after = transfer(slid.model, slid.state, slid.model);
-  EXPECT_EQ(after.history.hats.status, before.status);
-  EXPECT_LT((after.history.hats.multiplier - before.multiplier).norm(), 1e-12 * before.multiplier.norm());
+  EXPECT_EQ(after.history.multipliers.status, before.status);
+  EXPECT_LT((after.history.multipliers.multiplier - before.multiplier).norm(), 1e-12 * before.multiplier.norm());
   EXPECT_LT((after.displacement - slid.state.displacement).norm(), 1e-14);
-  EXPECT_EQ(after.history.hats.slope.size(), before.slope.size());
+  EXPECT_EQ(after.history.multipliers.slope.size(), before.slope.size());
   double most = 0.0;
   for (std::size_t i = 0; i < before.slope.size(); ++i) {
-    EXPECT_NEAR(after.history.hats.slope[i], before.slope[i], 1e-12);
-    EXPECT_NEAR(after.history.hats.smooth[i], before.smooth[i], 1e-20);
-    EXPECT_NEAR(after.history.hats.state[i].slip, before.state[i].slip, 1e-15);
+    EXPECT_NEAR(after.history.multipliers.slope[i], before.slope[i], 1e-12);
+    EXPECT_NEAR(after.history.multipliers.smooth[i], before.smooth[i], 1e-20);
+    EXPECT_NEAR(after.history.multipliers.state[i].slip, before.state[i].slip, 1e-15);
     most = std::max(most, before.state[i].slip);
   }
   EXPECT_GT(most, 1e-6) << "nodes must have slid";
-  EXPECT_EQ(after.history.hats.stored, before.stored);
-  ASSERT_EQ(after.history.hats.trails.size(), before.trails.size());
+  EXPECT_EQ(after.history.multipliers.stored, before.stored);
+  ASSERT_EQ(after.history.multipliers.trails.size(), before.trails.size());
   for (std::size_t k = 0; k < before.trails.size(); ++k) {
-    const auto &a = after.history.hats.trails[k], &b = before.trails[k];
+    const auto &a = after.history.multipliers.trails[k], &b = before.trails[k];
     EXPECT_EQ(a.face, b.face);
     EXPECT_EQ(a.anchor_face, b.anchor_face);
     EXPECT_NEAR(a.begin, b.begin, 1e-10);
@@ -60,7 +60,7 @@ TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) 
   const auto longer = slid.square({geometry::extended(slid.square.cracks[0], 1, {0.7, 0.78})});
   const auto state = transfer(slid.model, slid.state, longer);
   const auto traction_at = [](const assembly::Model& m, const VecX& multiplier, double s) -> Vec2 {
-    const auto& hats = m.surfaces.hats;
+    const auto& hats = m.surfaces.multiplier_space;
     for (const auto& e : hats.intervals) {
       const double first = hats.nodes[e.first].s, second = hats.nodes[e.second].s;
       if (s < first || s > second) continue;
@@ -70,15 +70,15 @@ TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) 
     return Vec2::Zero();
   };
   int kept = 0, fresh = 0;
-  const auto& hats = longer.surfaces.hats;
+  const auto& hats = longer.surfaces.multiplier_space;
   for (std::size_t i = 0; i < hats.nodes.size(); ++i) {
     const double s = hats.nodes[i].s;
-    const Vec2 now = state.history.hats.multiplier.segment<2>(2 * static_cast<Index>(i));
+    const Vec2 now = state.history.multipliers.multiplier.segment<2>(2 * static_cast<Index>(i));
     if (s > old_length) {
       EXPECT_EQ(now.norm(), 0.0);
       ++fresh;
     } else if (s < old_length - 0.1) {
-      const Vec2 was = traction_at(slid.model, slid.state.history.hats.multiplier, s);
+      const Vec2 was = traction_at(slid.model, slid.state.history.multipliers.multiplier, s);
       EXPECT_LT((now - was).norm(), 1e-9 * (1.0 + was.norm()));
       EXPECT_LT(now.x(), 0.0);
       ++kept;

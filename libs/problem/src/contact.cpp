@@ -41,7 +41,7 @@ void set_up_hats(const Specification& scene, const std::vector<double>& scale, c
     }
     s.mortar.push_back(mortar);
   }
-  std::vector<contact::HatPlan> plan(s.faces.size());
+  std::vector<contact::MultiplierSpacing> plan(s.faces.size());
   for (Index f = 0; f < static_cast<Index>(plan.size()); ++f) {
     const auto& face = s.faces[f];
     if (!s.is_mortar(face.crack) || !s.is_negative(face)) continue;
@@ -50,8 +50,8 @@ void set_up_hats(const Specification& scene, const std::vector<double>& scale, c
     plan[f] = {s.mortar[face.crack].hat_width * element_size(m.mesh, element),
                s.sides[face.crack] == contact::NegativeSide::Both ? 0.5 : 1.0};
   }
-  s.hats = contact::make_hats(s.faces, plan);
-  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+  s.multiplier_space = contact::make_multiplier_space(s.faces, plan);
+  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.multiplier_space.nodes.size()));
 }
 
 // None with mortar contact.

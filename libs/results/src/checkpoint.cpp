@@ -14,10 +14,8 @@ constexpr char kMagic[] = "cleft checkpoint 13\n";
 struct Writer {
   std::string out;
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) {
-    out.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); }
   void size(std::uint64_t& n) { (*this)(n); }
   void raw(void* data, std::size_t bytes) { out.append(static_cast<const char*>(data), bytes); }
 };
@@ -31,10 +29,8 @@ struct Reader {
     at += bytes;
   }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void operator()(T& value) {
-    raw(&value, sizeof value);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) { raw(&value, sizeof value); }
   void size(std::uint64_t& n) {
     (*this)(n);
     if (n > in.size()) throw std::out_of_range("checkpoint");  // no array has more entries than the file has bytes
@@ -87,7 +83,7 @@ void pass(Io& io, growth::Record& g) {
 }
 
 template <class Io>
-void pass(Io& io, contact::Memory& m) {
+void pass(Io& io, contact::ContactState& m) {
   io(m.anchor_face);
   io(m.anchor_place);
   io(m.state.slip);
@@ -98,7 +94,7 @@ void pass(Io& io, contact::Memory& m) {
 }
 
 template <class Io>
-void pass(Io& io, contact::HatMemory& hats) {
+void pass(Io& io, contact::MultiplierState& hats) {
   pass(io, hats.status, io);
   pass(io, hats.multiplier);
   pass(io, hats.mismatch);
@@ -107,7 +103,7 @@ void pass(Io& io, contact::HatMemory& hats) {
   pass(io, hats.smooth, io);
   io(hats.stored);
   pass(io, hats.state, [&](contact::InterfaceState& state) { io(state.slip); });
-  pass(io, hats.trails, [&](contact::Trail& t) {
+  pass(io, hats.anchor_maps, [&](contact::AnchorMap& t) {
     io(t.face);
     io(t.begin);
     io(t.end);
@@ -119,13 +115,13 @@ void pass(Io& io, contact::HatMemory& hats) {
 
 template <class Io>
 void pass(Io& io, assembly::History& history) {
-  pass(io, history.contact, [&](contact::Memory& m) { pass(io, m); });
+  pass(io, history.contact, [&](contact::ContactState& m) { pass(io, m); });
   io(history.deepest);
   pass(io, history.plastic, [&](constitutive::PlasticState& p) {
     io(p.deformation);
     io(p.accumulated);
   });
-  pass(io, history.hats);
+  pass(io, history.multipliers);
 }
 
 template <class Io>

@@ -41,7 +41,8 @@ std::vector<Apart> apart(const assembly::Model& m, const assembly::State& state)
   both.points = contact::place_points(both, 1);
   std::vector<contact::Pair> pairs;
   contact::Search search;
-  search.run(both, state.displacement, std::vector<contact::Memory>(both.points.size()), state.history.deepest, pairs);
+  search.run(both, state.displacement, std::vector<contact::ContactState>(both.points.size()), state.history.deepest,
+             pairs);
   std::vector<Apart> out;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const auto jump = contact::jump_at(both, search.positions(), both.points[p].face, both.points[p].eta);

@@ -153,7 +153,7 @@ struct FailureAdvice {
     std::string out = "smaller increments (loading.steps), ";
     if (has_springs(model)) out += "a softer penalty, ";
     // on a crack with a step across its way smoothing 1, 2, 4 and 8 take 75, 69, 66 and 64 iterations
-    if (!model.surfaces.hats.nodes.empty()) out += "more smoothing of mortar contact (contact.smoothing), ";
+    if (!model.surfaces.multiplier_space.nodes.empty()) out += "more smoothing of mortar contact (contact.smoothing), ";
     return out + "or a finer mesh" + where;
   }
   std::string easier() const { return softer(model.cracks.empty() ? "" : " at the crack"); }

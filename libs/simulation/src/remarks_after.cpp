@@ -30,7 +30,7 @@ void about_overlap(const solve::LoadStepper& stepper, Lines& out) {
   const double overlap = stepper.state().history.deepest / surfaces.element_size;
   if (overlap > kDeep)
     out.push_back(fmt::format("the crack's faces overlap by {:.2g} element sizes: {}", overlap,
-                              surfaces.hats.nodes.empty()
+                              surfaces.multiplier_space.nodes.empty()
                                   ? "the penalty is too soft for these loads; a stiffer one, or contact.method = "
                                     "\"mortar\""
                                   : "the mesh is too coarse for these loads; a finer one along the crack"));

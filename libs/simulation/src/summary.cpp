@@ -48,7 +48,7 @@ const char* factorisation_of(const assembly::Model& model) {
 Json history_of(const assembly::History& history) {
   return {{"contact", history.contact.size()},
           {"plastic", history.plastic.size()},
-          {"bytes", history.contact.size() * sizeof(contact::Memory) +
+          {"bytes", history.contact.size() * sizeof(contact::ContactState) +
                         history.plastic.size() * sizeof(constitutive::PlasticState)}};
 }
 

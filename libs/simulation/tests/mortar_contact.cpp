@@ -59,7 +59,7 @@ TEST(MortarContact, HasTwoUnknownsAHatOnTheFacesThatAreIntegrated) {
   const auto one = problem::build_model(scene);
   EXPECT_GT(one.unknowns.multipliers, 2);
   EXPECT_EQ(one.surfaces.first_multiplier, one.unknowns.displacements());
-  EXPECT_EQ(one.unknowns.multipliers, static_cast<Index>(one.surfaces.hats.nodes.size()));
+  EXPECT_EQ(one.unknowns.multipliers, static_cast<Index>(one.surfaces.multiplier_space.nodes.size()));
   scene.cracks[0].negative_side = contact::NegativeSide::Both;
   EXPECT_EQ(problem::build_model(scene).unknowns.multipliers, 2 * one.unknowns.multipliers);
   EXPECT_EQ(problem::build_model(with("method = \"penalty\"")).unknowns.multipliers, 0);

@@ -16,7 +16,7 @@ class ActiveSet {
   bool update(const assembly::Model& model, const assembly::Assembler& assembler, const assembly::History& history,
               Iteration& out);
   /// Whether a hat of mortar contact is among what differed.
-  bool hats_change() const { return hat_changes_ > 0; }
+  bool multipliers_change() const { return hat_changes_ > 0; }
 
  private:
   void points(const assembly::Model& model, const assembly::Assembler& assembler, Iteration& out);

@@ -18,7 +18,7 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
           contact::follow(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
       continue;
     }
-    const auto step = contact::advance(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
+    const auto step = contact::commit(model.surfaces, assembler.face_positions(), index, pairs[p], history.contact[p]);
     const auto& springs = model.surfaces.springs[model.surfaces.faces[model.surfaces.points[p].face].crack];
     const double weight = model.surfaces.points[p].weight;
     if (contact::presses(pairs[p])) {
@@ -34,8 +34,8 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
     history.contact[p] = step.memory;
   }
 
-  if (!model.surfaces.hats.empty()) {
-    auto& hats = history.hats;
+  if (!model.surfaces.multiplier_space.empty()) {
+    auto& hats = history.multipliers;
     auto step = assembler.multipliers().advance(model.surfaces, assembler.face_positions(), hats);
     energies.contact += step.memory.stored;
     energies.friction_dissipation += step.friction;

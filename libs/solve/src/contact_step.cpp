@@ -51,17 +51,17 @@ class Condensed {
   // The tangent of the law at the node's pressure.
   contact::NodeLaw law_of(Index i, const contact::NodeState& state, const assembly::History& history) const {
     const auto& s = model_.surfaces;
-    const auto& node = s.hats.nodes[i];
-    const auto strength = contact::strength(s.laws[node.crack], -state.normal, history.hats.state[i]);
+    const auto& node = s.multiplier_space.nodes[i];
+    const auto strength = contact::strength(s.laws[node.crack], -state.normal, history.multipliers.state[i]);
     return {strength.by_pressure, s.mortar[node.crack].scale * s.touch().length * node.length,
-            history.hats.status[i] != contact::Status::Open,
+            history.multipliers.status[i] != contact::Status::Open,
             node.length * (strength.value + strength.by_pressure * state.normal)};
   }
   // L l of the nodes, N/m.
   VecX tractions(const VecX& x) const {
     VecX out(2 * nodes_.size());
     for (Index k = 0; k < out.size(); ++k) {
-      const auto& node = model_.surfaces.hats.nodes[nodes_[k / 2]];
+      const auto& node = model_.surfaces.multiplier_space.nodes[nodes_[k / 2]];
       out[k] = node.length * model_.surfaces.mortar[node.crack].scale * x[row(k)];
     }
     return out;

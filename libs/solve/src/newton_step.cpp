@@ -100,7 +100,7 @@ std::optional<assembly::Failure> NewtonIteration::solve_linear(const VecX& by_lo
 // Where the contact does not settle by itself. What solves that of the hats beside the correction is taken unless a
 // part that they let go would fly away.
 void NewtonIteration::settle_contact(const Bordered& system, Iteration& it, Correction& correction) {
-  if (chatter_.struggles() && active_.hats_change()) {
+  if (chatter_.struggles() && active_.multipliers_change()) {
     const auto more =
         contact_step(model_, state_.history, out_.displacement, correction.displacement, assembler_, system);
     if (more && more->displacement.allFinite() &&

@@ -38,13 +38,13 @@ inline void give_hats(assembly::Model& m) {
     s.mortar.push_back({true, 1.0, 2.0, springs.normal, 1.0 / springs.normal});
     springs = {};
   }
-  std::vector<contact::HatPlan> plan(s.faces.size());
+  std::vector<contact::MultiplierSpacing> plan(s.faces.size());
   for (std::size_t f = 0; f < plan.size(); ++f) {
     const bool both = s.sides[s.faces[f].crack] == contact::NegativeSide::Both;
     if (s.is_negative(s.faces[f])) plan[f] = {s.element_size, both ? 0.5 : 1.0};
   }
-  s.hats = contact::make_hats(s.faces, plan);
-  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.hats.nodes.size()));
+  s.multiplier_space = contact::make_multiplier_space(s.faces, plan);
+  s.first_multiplier = enrichment::add_multipliers(m.unknowns, static_cast<Index>(s.multiplier_space.nodes.size()));
 }
 
 inline assembly::Prescribed hold(const assembly::Model& m, const std::string& on, const Vec2& at_full_load) {

@@ -21,7 +21,7 @@ const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
   return nullptr;
 }
 
-const char* block_of(const contact::Pair& pair, const contact::Memory& memory) {
+const char* block_of(const contact::Pair& pair, const contact::ContactState& memory) {
   if (!presses(pair)) return "contact open";
   if (pair.state.ramp < 1.0) return "contact at a mouth";
   if (memory.anchor_face == kNone) return "contact first touch";
@@ -41,7 +41,7 @@ namespace {
 bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
   const auto &f = a.facing()[node], &g = b.facing()[node];
   if (f.overlap == kNone || g.overlap == kNone) return f.overlap != g.overlap;
-  const auto &o = a.overlaps()[f.overlap], &p = b.overlaps()[g.overlap];
+  const auto &o = a.mortar_pairs()[f.overlap], &p = b.mortar_pairs()[g.overlap];
   return f.strip != g.strip || o.strip != p.strip || o.partner != p.partner ||
          f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
 }
@@ -51,7 +51,7 @@ bool faces_another_place(const contact::Multipliers& a, const contact::Multiplie
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out) {
   const auto& surfaces = model.surfaces;
-  const auto& hats = surfaces.hats;
+  const auto& hats = surfaces.multiplier_space;
   const auto add_nodes = [&](Index interval) {
     for (const Index node : {hats.intervals[interval].first, hats.intervals[interval].second})
       out.push_back(surfaces.first_multiplier + node);
@@ -62,25 +62,25 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
         s.fades != t.fades || (!a.facing().empty() && faces_another_place(a, b, i)))
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
-  const auto add_piece = [&](const contact::Piece& piece) {
+  const auto add_piece = [&](const contact::MortarSegment& piece) {
     const auto& strip = hats.strips[piece.strip];
     add_nodes(strip.interval);
     for (const Index face : {strip.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
   // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
-  // end of a trail the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths jumps
-  // that compares the tractions of two faces with hats.
-  const auto at_end = [&](const contact::Piece& piece) {
+  // end of a anchor map the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths
+  // jumps that compares the tractions of two faces with hats.
+  const auto at_end = [&](const contact::MortarSegment& piece) {
     const auto& face = surfaces.faces[hats.strips[piece.strip].face];
     return std::array{face.previous == kNone && piece.begin == 0.0, face.next == kNone && piece.end == 1.0};
   };
-  const auto stands_out = [&](const contact::Piece& piece) {
+  const auto stands_out = [&](const contact::MortarSegment& piece) {
     const auto [first, last] = at_end(piece);
-    return piece.trail == kNone || hats.on(piece.partner) || first || last;
+    return piece.anchor_map == kNone || hats.on(piece.partner) || first || last;
   };
-  const auto alike = [&](const contact::Piece& p, const contact::Piece& q) {
-    return p.strip == q.strip && (p.trail == kNone) == (q.trail == kNone) && at_end(p) == at_end(q) &&
+  const auto alike = [&](const contact::MortarSegment& p, const contact::MortarSegment& q) {
+    return p.strip == q.strip && (p.anchor_map == kNone) == (q.anchor_map == kNone) && at_end(p) == at_end(q) &&
            (!hats.on(p.partner) || p.partner == q.partner);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
@@ -93,7 +93,7 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
 }
 
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
-                         const contact::Memory& memory) {
+                         const contact::ContactState& memory) {
   PairUnknowns out;
   const auto add = [&](Index face) {
     if (face == kNone) return;

@@ -18,7 +18,7 @@ inline bool is_mortar(const assembly::Model& model, Index point) {
 }
 
 /// "contact stick" and the like.
-const char* block_of(const contact::Pair& pair, const contact::Memory& memory);
+const char* block_of(const contact::Pair& pair, const contact::ContactState& memory);
 
 /// "contact hat stick" and the like.
 const char* block_of(const contact::NodeState& node);
@@ -33,6 +33,6 @@ struct PairUnknowns {
   std::size_t forces = 0;
 };
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
-                         const contact::Memory& memory);
+                         const contact::ContactState& memory);
 
 }  // namespace cleft::tangent_check

@@ -18,7 +18,7 @@ Lengths lengths_of(const assembly::Model& model, const VecX& u) {
     }
   });
   for (Index k = 0; k < model.unknowns.multipliers; ++k)
-    out.influence[model.unknowns.displacements() + k] = model.surfaces.hats.nodes[k].length;
+    out.influence[model.unknowns.displacements() + k] = model.surfaces.multiplier_space.nodes[k].length;
   for (double& length : out.influence)
     if (!std::isfinite(length)) length = 1.0;  // of a node that no cell uses: nothing depends on it
   for (const auto& node : model.mesh.nodes) out.reach = std::max(out.reach, node.norm());

@@ -8,7 +8,7 @@ std::string describe_component(const assembly::Model& model, Index component) {
   if (component == kNone) return "a displacement on which the force should not depend";
   const Index unknown = component / 2, node = model.unknowns.node_of[unknown];
   if (unknown >= model.unknowns.displacements()) {
-    const auto& hat = model.surfaces.hats.nodes[unknown - model.unknowns.displacements()];
+    const auto& hat = model.surfaces.multiplier_space.nodes[unknown - model.unknowns.displacements()];
     return fmt::format("{} multiplier of crack {}, {} face, arc length {:.6g}",
                        component % 2 == 0 ? "normal" : "tangential", model.cracks[hat.crack].name, name_of(hat.side),
                        hat.s);

@@ -20,7 +20,7 @@ assembly::Model without_bulk(const assembly::Model& model) {
   out.cells.clear();
   out.mate.clear();
   out.tip_points.clear();
-  out.surfaces.hats = {};
+  out.surfaces.multiplier_space = {};
   out.surfaces.mortar.clear();
   return out;
 }
@@ -43,7 +43,7 @@ void move_to_origin(Index point, const assembly::Model& from, const VecX& u, ass
 
 // Largest coordinate, or length, of the faces that matter to a pair.
 double reach_of(const contact::Surfaces& surfaces, const contact::FacePositions& at, const contact::Pair& pair,
-                const contact::Memory& memory) {
+                const contact::ContactState& memory) {
   double out = 0.0;
   for (const Index f : {surfaces.points[0].face, pair.partner_face, memory.anchor_face, pair.mouth_face}) {
     if (f == kNone) continue;

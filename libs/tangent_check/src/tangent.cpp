@@ -34,7 +34,8 @@ class ForceNearby {
     WholeForce out;
     const bool failed = assembler_.assemble(there, at_.history).has_value();
     out.force = failed ? VecX::Constant(there.size(), std::nan("")) : assembler_.internal_force();
-    if (!at_.model.surfaces.hats.empty()) add_kinks(at_.model, multipliers_, assembler_.multipliers(), out.kinked);
+    if (!at_.model.surfaces.multiplier_space.empty())
+      add_kinks(at_.model, multipliers_, assembler_.multipliers(), out.kinked);
     for (Index p = 0; p < static_cast<Index>(pairs_.size()); ++p)
       if (!is_mortar(at_.model, p) && kink_between(pairs_[p], assembler_.pairs()[p])) add_unknowns_of(p, out.kinked);
     return out;

@@ -76,9 +76,9 @@ class Assembler {
   void find_contact(const VecX& displacement, const History& history, contact::Conditions conditions);
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
-  void assemble_contact(const std::vector<contact::Memory>& memory);
+  void assemble_contact(const std::vector<contact::ContactState>& memory);
   void add_pair(const PairColumns& columns, const contact::PairForce& force);
-  void assemble_hats(const contact::HatMemory& memory);
+  void assemble_hats(const contact::MultiplierState& memory);
   void add_overlap(std::size_t number);
   void add_anchor(Index piece, Index face);
   void add_facing(Index node);

@@ -38,11 +38,11 @@ struct Energies {
 
 /// What forces depend on besides the displacement: the past, as it was when the last increment had converged.
 struct History {
-  std::vector<contact::Memory> contact;               ///< per contact point
+  std::vector<contact::ContactState> contact;         ///< per contact point
   double deepest = 0.0;                               ///< largest penetration so far, metres
   std::vector<constitutive::PlasticState> plastic{};  ///< per material point; empty if the material has no memory
   double duration = constitutive::kForever;           ///< of the increment under way, in units of the load
-  contact::HatMemory hats{};                          ///< of mortar contact; empty without
+  contact::MultiplierState hats{};                    ///< of mortar contact; empty without
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.

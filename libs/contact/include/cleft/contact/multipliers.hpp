@@ -1,8 +1,8 @@
 /// \file
 /// The mortar method: contact tractions as unknowns of their own, two for every hat function.
 ///
-/// Node i has the multipliers l_N (Pa; l_N < 0 presses) and l_T. With the integrals over all pieces opposite the other
-/// face (overlap.hpp)
+/// Node i has the multipliers l_N (Pa; l_N < 0 presses) and l_T. With the integrals over all mortar segments opposite
+/// the other face (mortar_pairs.hpp)
 ///
 ///     G_i = int phi_i g_N ds,     S_i = int phi_i g_T ds,     L_i = int phi_i ds (of the whole hat)
 ///
@@ -30,7 +30,7 @@
 /// interval is left and it was more before: then the past goes with the covered part, so that Z does not depend on the
 /// size of the increments, and a node that has lost its support (o = 0) bears what its neighbours do.
 ///
-/// Where both faces carry hats, each with half of the weight, Z has the further part
+/// Where both faces carry hat functions, each with half of the weight, Z has the further part
 ///
 ///     h / (2 mu) (l_i int phi_i ds -+ l' int phi_i j ds),     j = ds'/ds
 ///
@@ -43,23 +43,23 @@
 /// so that they may stand beside forces and displacements.
 #pragma once
 
-#include "cleft/contact/overlap.hpp"
+#include "cleft/contact/mortar_pairs.hpp"
 
 namespace cleft::contact {
 
-/// What the hats remember between increments.
-struct HatMemory {
-  std::vector<Status> status;         ///< per node
-  VecX multiplier;                    ///< l_N and l_T of each node, Pa
-  VecX mismatch;                      ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
-  std::vector<double> coverage;       ///< per interval, 0 to 1
-  std::vector<Trail> trails;          ///< anchors
-  std::vector<double> slope;          ///< per node, of what lies opposite against the face, the mean over its hat
-  std::vector<double> smooth;         ///< per node, Z(l_N), m^2
-  double stored = 0.0;                ///< energy in Z, J/m
-  std::vector<InterfaceState> state;  ///< of the interface law, per node; slip is the mean over its hat
+/// What the hat functions remember between increments.
+struct MultiplierState {
+  std::vector<Status> status;          ///< per node
+  VecX multiplier;                     ///< l_N and l_T of each node, Pa
+  VecX mismatch;                       ///< of each node, the mean of l_T -+ l' over what lies opposite, Pa
+  std::vector<double> coverage;        ///< per interval, 0 to 1
+  std::vector<AnchorMap> anchor_maps;  ///< anchors
+  std::vector<double> slope;           ///< per node, of what lies opposite against the face, the mean over its hat
+  std::vector<double> smooth;          ///< per node, Z(l_N), m^2
+  double stored = 0.0;                 ///< energy in Z, J/m
+  std::vector<InterfaceState> state;   ///< of the interface law, per node; slip is the mean over its hat
 };
-HatMemory hats_at_rest(const Surfaces& surfaces);
+MultiplierState multipliers_at_rest(const Surfaces& surfaces);
 
 /// A node at the present iterate.
 struct NodeState {
@@ -69,8 +69,8 @@ struct NodeState {
   bool fades = false;                     ///< less lies opposite one of these than at the last converged state
   double normal = 0.0, tangential = 0.0;  ///< l_N, l_T, Pa
   double support = 0.0;                   ///< int phi ds over what lies opposite, metres
-  double reach = 0.0;                     ///< int phi j ds, metres; only where both faces carry hats
-  Vec2 past_mismatch = Vec2::Zero();      ///< HatMemory::mismatch, of the tangential component, Pa
+  double reach = 0.0;                     ///< int phi j ds, metres; only where both faces carry hat functions
+  Vec2 past_mismatch = Vec2::Zero();      ///< MultiplierState::mismatch, of the tangential component, Pa
   Vec2 beyond = Vec2::Zero();             ///< tractions beyond those of the other face and the past mismatch, N/m
   double gap = 0.0, slip = 0.0;           ///< G, S, m^2
   Vec2 smooth = Vec2::Zero();             ///< Z of both components, m^2
@@ -80,14 +80,14 @@ struct NodeState {
   Vec2 traction() const { return {normal, tangential}; }
 };
 
-/// What the other face bears opposite a node, where both carry hats.
+/// What the other face bears opposite a node, where both carry hat functions.
 struct Facing {
-  Index overlap = kNone;         ///< whose faces' ends it depends on; kNone: nothing lies opposite
-  Index strip = kNone;           ///< of the other face
-  double second = 0.0;           ///< value of the hat of the second node of the strip's interval there
+  Index mortar_pair = kNone;     ///< whose faces' ends it depends on; kNone: nothing lies opposite
+  Index interval_part = kNone;   ///< of the other face
+  double second = 0.0;           ///< value of the hat of the second node of the interval part's interval there
   Vec2 traction = Vec2::Zero();  ///< l'_N, -l'_T, Pa: what l_N, l_T are if the faces agree
   Vec2 slope = Vec2::Zero();     ///< its derivative with regard to the place on the other face, Pa
-  Moved place;                   ///< on the other face
+  ValueAndGradient place;        ///< on the other face
 };
 
 /// One row of conditions: its values and how they depend on everything.
@@ -100,9 +100,9 @@ struct NodeCondition {
   std::array<Vec2, 2> by_cover{Vec2::Zero(), Vec2::Zero()};  ///< on int ds over what is covered of the two intervals
 };
 
-/// Memory of the hats, and the work of their tractions in one increment that is not stored, J/m.
+/// State of the hat functions, and the work of their tractions in one increment that is not stored, J/m.
 struct HatAdvance {
-  HatMemory memory;
+  MultiplierState memory;
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
   double pressure = 0.0;  ///< of the pressure along sloping faces and at mouths, and what Z takes up and does not store
 };
@@ -111,48 +111,50 @@ struct HatAdvance {
 /// sticks.
 enum class Conditions : std::uint8_t { OwnState, Stick };
 
-/// Tractions and conditions of all hats.
+/// Tractions and conditions of all hat functions.
 class Multipliers {
  public:
   /// At the displacements `x` (all components; the multipliers among them), with the partners of the contact points.
   void run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
-           const HatMemory& memory, Conditions conditions = Conditions::OwnState);
+           const MultiplierState& memory, Conditions conditions = Conditions::OwnState);
 
-  const std::vector<Piece>& pieces() const { return pieces_; }
-  const std::vector<Overlap>& overlaps() const { return overlaps_; }
-  const std::vector<OverlapIntegrals>& integrals() const { return integrals_; }  ///< per overlap
-  const std::vector<SlipByAnchor>& by_anchor() const { return by_anchor_; }      ///< per piece
-  /// Per node, without an overlap where the other face has no hats; empty if no crack has hats on both faces.
+  const std::vector<MortarSegment>& mortar_segments() const { return mortar_segments_; }
+  const std::vector<MortarPair>& mortar_pairs() const { return mortar_pairs_; }
+  const std::vector<MortarIntegrals>& integrals() const { return integrals_; }  ///< per overlap
+  const std::vector<SlipByAnchor>& by_anchor() const { return by_anchor_; }     ///< per mortar segment
+  /// Per node, without an overlap where the other face has no hat functions; empty if no crack has hat functions on
+  /// both faces.
   const std::vector<Facing>& facing() const { return facing_; }
   const std::vector<NodeState>& nodes() const { return nodes_; }
   const std::vector<NodeCondition>& conditions() const { return conditions_; }
 
-  /// The traction at a place on a face that carries hats; without one where a node of its interval is open that side.
+  /// The traction at a place on a face that carries hat functions; without one where a node of its interval is open
+  /// that side.
   Traction traction(const Surfaces& surfaces, Index face, double eta) const;
 
-  /// What the hats remember once the increment has converged, and the work of their tractions.
-  HatAdvance advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const;
+  /// What the hat functions remember once the increment has converged, and the work of their tractions.
+  HatAdvance commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const;
 
  private:
   void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                     const HatMemory& memory);
+                     const MultiplierState& memory);
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
-  Facing borne_at(const Surfaces& surfaces, Index overlap, const Moved& place) const;
+  Facing borne_at(const Surfaces& surfaces, Index mortar_pair, const ValueAndGradient& place) const;
   void find_reached(const Surfaces& surfaces);
   struct Smoothing;
   class Rows;
-  Smoothing smooth(const Surfaces& surfaces, Index node, const HatMemory& memory);
-  void judge(const Surfaces& surfaces, Index node, const HatMemory& memory, Conditions conditions);
-  void judge_by_trial(const Surfaces& surfaces, Index node, const HatMemory& memory, Rows& rows);
-  HatMemory remembered(const Surfaces& surfaces, const FacePositions& at) const;
+  Smoothing smooth(const Surfaces& surfaces, Index node, const MultiplierState& memory);
+  void choose_conditions(const Surfaces& surfaces, Index node, const MultiplierState& memory, Conditions conditions);
+  void choose_by_trial(const Surfaces& surfaces, Index node, const MultiplierState& memory, Rows& rows);
+  MultiplierState remembered(const Surfaces& surfaces, const FacePositions& at) const;
   double stored_energy(const Surfaces& surfaces) const;
-  double friction_work(const Surfaces& surfaces, Index node, const HatMemory& before) const;
-  double smoothing_work(Index node, const HatMemory& before) const;
-  double mouth_work(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const;
+  double friction_work(const Surfaces& surfaces, Index node, const MultiplierState& before) const;
+  double smoothing_work(Index node, const MultiplierState& before) const;
+  double mouth_work(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const;
 
-  std::vector<Piece> pieces_;
-  std::vector<Overlap> overlaps_;
-  std::vector<OverlapIntegrals> integrals_;
+  std::vector<MortarSegment> mortar_segments_;
+  std::vector<MortarPair> mortar_pairs_;
+  std::vector<MortarIntegrals> integrals_;
   std::vector<SlipByAnchor> by_anchor_;
   std::vector<Facing> facing_;
   std::vector<NodeState> nodes_;

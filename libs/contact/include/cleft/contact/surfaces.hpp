@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cleft/contact/hats.hpp"
+#include "cleft/contact/multiplier_space.hpp"
 #include "cleft/contact/springs.hpp"
 #include "cleft/enrichment/stencil.hpp"
 #include "cleft/support/names.hpp"
@@ -28,7 +28,7 @@ struct Point {
 };
 
 /// What a point remembers between increments. Anchors are material points: a face and a place on it.
-struct Memory {
+struct ContactState {
   Index anchor_face = kNone;  ///< kNone: no anchor
   double anchor_place = 0.0;  ///< 0 at the start of the face, 1 at its end, beyond them where the face is continued
   InterfaceState state{};     ///< of the interface law
@@ -46,7 +46,7 @@ struct Surfaces {
   std::vector<Springs> springs;     ///< per crack, of penalty contact; of a crack with mortar contact it plays no part
   std::vector<NegativeSide> sides;  ///< per crack
   std::vector<Mortar> mortar{};     ///< per crack; empty: all by penalty
-  Hats hats{};                      ///< on the negative faces of the cracks with mortar contact
+  MultiplierSpace hats{};           ///< on the negative faces of the cracks with mortar contact
   Index first_multiplier = kNone;   ///< unknown of the first hat's multipliers (l_N, l_T), which the others follow
   double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
   double search_radius = 0.0;       ///< 0: by scale
@@ -68,7 +68,7 @@ struct Surfaces {
 /// Places Gauss points (1 to 4 a segment) on the negative faces.
 std::vector<Point> place_points(const Surfaces& surfaces, int per_segment);
 
-/// Memory at rest: a point whose faces coincide is anchored at the material point opposite.
-std::vector<Memory> memory_at_rest(const Surfaces& surfaces);
+/// State at rest: a point whose faces coincide is anchored at the material point opposite.
+std::vector<ContactState> memory_at_rest(const Surfaces& surfaces);
 
 }  // namespace cleft::contact

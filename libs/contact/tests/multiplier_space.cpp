@@ -1,4 +1,4 @@
-#include "cleft/contact/hats.hpp"
+#include "cleft/contact/multiplier_space.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@ namespace {
 
 using geometry::Side;
 
-std::vector<HatPlan> plan_of(const Surfaces& surfaces, double spacing, double factor = 1.0) {
-  std::vector<HatPlan> out(surfaces.faces.size());
+std::vector<MultiplierSpacing> plan_of(const Surfaces& surfaces, double spacing, double factor = 1.0) {
+  std::vector<MultiplierSpacing> out(surfaces.faces.size());
   for (std::size_t f = 0; f < out.size(); ++f)
     if (surfaces.is_negative(surfaces.faces[f])) out[f] = {spacing, factor};
   return out;
 }
 
-TEST(Hats, AreNodesAtTheEndsAndAtEqualDistancesWhereverTheCrackCrossesEdges) {
+TEST(MultiplierSpace, AreNodesAtTheEndsAndAtEqualDistancesWhereverTheCrackCrossesEdges) {
   const Slider slider(NegativeSide::Right);
   for (const double spacing : {0.03, 0.1, 0.17, 0.5, 4.0}) {
-    const Hats hats = make_hats(slider.surfaces.faces, plan_of(slider.surfaces, spacing));
+    const MultiplierSpace hats = make_multiplier_space(slider.surfaces.faces, plan_of(slider.surfaces, spacing));
     const auto count = static_cast<Index>(std::max(1L, std::lround(1.0 / spacing)));
     ASSERT_EQ(hats.intervals.size(), count);
     ASSERT_EQ(hats.nodes.size(), count + 1);
@@ -32,56 +32,56 @@ TEST(Hats, AreNodesAtTheEndsAndAtEqualDistancesWhereverTheCrackCrossesEdges) {
   }
 }
 
-TEST(Hats, StripsTileTheFaceAndHatsAreOneInAllAndContinuous) {
+TEST(MultiplierSpace, StripsTileTheFaceAndHatsAreOneInAllAndContinuous) {
   const Slider slider(NegativeSide::Left);
   const auto& faces = slider.surfaces.faces;
-  const Hats hats = make_hats(faces, plan_of(slider.surfaces, 0.083));
+  const MultiplierSpace hats = make_multiplier_space(faces, plan_of(slider.surfaces, 0.083));
   double s = 0.0;
   for (Index f = 0; f < static_cast<Index>(faces.size()); ++f) {
-    const Index first = hats.first_strip[f], last = hats.first_strip[f + 1];
+    const Index first = hats.first_part[f], last = hats.first_part[f + 1];
     if (faces[f].side == Side::Right) {
       EXPECT_EQ(first, last);
       continue;
     }
     ASSERT_LT(first, last);
-    EXPECT_EQ(hats.strips[first].begin, 0.0);
-    EXPECT_EQ(hats.strips[last - 1].end, 1.0);
+    EXPECT_EQ(hats.interval_parts[first].begin, 0.0);
+    EXPECT_EQ(hats.interval_parts[last - 1].end, 1.0);
     for (Index k = first; k < last; ++k) {
-      const auto& strip = hats.strips[k];
+      const auto& interval_part = hats.interval_parts[k];
       if (k > first) {
-        EXPECT_EQ(strip.begin, hats.strips[k - 1].end);
-        EXPECT_NEAR(hats.second_hat(faces[f], strip, strip.begin), 0.0, 1e-12);
+        EXPECT_EQ(interval_part.begin, hats.interval_parts[k - 1].end);
+        EXPECT_NEAR(hats.second_hat(faces[f], interval_part, interval_part.begin), 0.0, 1e-12);
       }
-      for (const double eta : {strip.begin, strip.end}) {
-        const double second = hats.second_hat(faces[f], strip, eta);
+      for (const double eta : {interval_part.begin, interval_part.end}) {
+        const double second = hats.second_hat(faces[f], interval_part, eta);
         EXPECT_GE(second, -1e-12);
         EXPECT_LE(second, 1.0 + 1e-12);
-        const auto& interval = hats.intervals[strip.interval];
+        const auto& interval = hats.intervals[interval_part.interval];
         const double here = faces[f].s_start + eta * (faces[f].s_end - faces[f].s_start);
         EXPECT_NEAR((1.0 - second) * hats.nodes[interval.first].s + second * hats.nodes[interval.second].s, here,
                     1e-14);
       }
-      s += (strip.end - strip.begin) * (faces[f].s_end - faces[f].s_start);
-      EXPECT_EQ(hats.strip_at(f, 0.5 * (strip.begin + strip.end)), k);
+      s += (interval_part.end - interval_part.begin) * (faces[f].s_end - faces[f].s_start);
+      EXPECT_EQ(hats.part_at(f, 0.5 * (interval_part.begin + interval_part.end)), k);
     }
   }
   EXPECT_NEAR(s, 1.0, 1e-13);
 }
 
-TEST(Hats, FollowTheSizeOfTheElements) {
+TEST(MultiplierSpace, FollowTheSizeOfTheElements) {
   const Slider slider(NegativeSide::Right, 40);
   auto plan = plan_of(slider.surfaces, 0.05);
   for (std::size_t f = 0; f < plan.size(); ++f)
     if (plan[f].spacing > 0.0 && slider.surfaces.faces[f].s_start > 0.499) plan[f].spacing = 0.1;
-  const Hats hats = make_hats(slider.surfaces.faces, plan);
+  const MultiplierSpace hats = make_multiplier_space(slider.surfaces.faces, plan);
   ASSERT_EQ(hats.intervals.size(), 15U);
   EXPECT_NEAR(hats.nodes[1].s, 0.05, 0.002);
   EXPECT_NEAR(1.0 - hats.nodes[14].s, 0.1, 0.002);
 }
 
-TEST(Hats, CountHalfWhereTheOtherFaceCarriesSomeAsWell) {
+TEST(MultiplierSpace, CountHalfWhereTheOtherFaceCarriesSomeAsWell) {
   const Slider slider(NegativeSide::Both);
-  const Hats hats = make_hats(slider.surfaces.faces, plan_of(slider.surfaces, 0.1, 0.5));
+  const MultiplierSpace hats = make_multiplier_space(slider.surfaces.faces, plan_of(slider.surfaces, 0.1, 0.5));
   EXPECT_EQ(hats.nodes.size(), 22U);
   double length = 0.0;
   for (const auto& node : hats.nodes) length += node.length;

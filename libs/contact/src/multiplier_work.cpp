@@ -1,4 +1,4 @@
-// What the hats remember, and the work of their tractions.
+// What the hat functions remember, and the work of their tractions.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,13 +23,15 @@ bool is_free(const enrichment::Face& face, const Bound& bound) {
 double arc_length(const enrichment::Face& face, double eta) { return face.s_start + eta * (face.s_end - face.s_start); }
 
 // The arc length on the other face that was opposite an end of `partner` when the last increment had converged.
-std::optional<double> place_before(const Surfaces& surfaces, const std::vector<Trail>& trails, Index partner,
+std::optional<double> place_before(const Surfaces& surfaces, const std::vector<AnchorMap>& anchor_maps, Index partner,
                                    double end) {
   constexpr double kSame = 1e-6;
-  for (const auto& trail : trails) {
-    if (trail.anchor_face != partner) continue;
-    if (std::fabs(trail.anchor_begin - end) < kSame) return arc_length(surfaces.faces[trail.face], trail.begin);
-    if (std::fabs(trail.anchor_end - end) < kSame) return arc_length(surfaces.faces[trail.face], trail.end);
+  for (const auto& anchor_map : anchor_maps) {
+    if (anchor_map.anchor_face != partner) continue;
+    if (std::fabs(anchor_map.anchor_begin - end) < kSame)
+      return arc_length(surfaces.faces[anchor_map.face], anchor_map.begin);
+    if (std::fabs(anchor_map.anchor_end - end) < kSame)
+      return arc_length(surfaces.faces[anchor_map.face], anchor_map.end);
   }
   return std::nullopt;
 }
@@ -44,9 +46,9 @@ double gap_at(const FacePositions& at, const enrichment::Face& face, Index own, 
 
 }  // namespace
 
-HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
-  const auto& hats = surfaces.hats;
-  HatMemory out;
+MultiplierState Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
+  const auto& hats = surfaces.multiplier_space;
+  MultiplierState out;
   const auto count = static_cast<Index>(nodes_.size());
   out.multiplier.resize(2 * count);
   out.mismatch = VecX::Zero(count);
@@ -57,14 +59,14 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
     if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
   }
   for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
-  out.trails = trails_of(surfaces, at, pieces_);
+  out.anchor_maps = anchor_maps_of(surfaces, at, mortar_segments_);
   for (const auto& node : nodes_) out.smooth.push_back(node.smooth.x());
   out.stored = stored_energy(surfaces);
   out.slope.assign(nodes_.size(), 0.0);
-  for (std::size_t o = 0; o < overlaps_.size(); ++o) {
-    const auto& [strip, partner, first, last] = overlaps_[o];
-    const double slope = slope_of(surfaces, at, hats.strips[strip].face, partner);
-    const auto ends = hats.ends(strip);
+  for (std::size_t o = 0; o < mortar_pairs_.size(); ++o) {
+    const auto& [interval_part, partner, first, last] = mortar_pairs_[o];
+    const double slope = slope_of(surfaces, at, hats.interval_parts[interval_part].face, partner);
+    const auto ends = hats.ends(interval_part);
     for (int k = 0; k < 2; ++k)
       if (nodes_[ends[k]].supported)
         out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
@@ -72,9 +74,9 @@ HatMemory Multipliers::remembered(const Surfaces& surfaces, const FacePositions&
   return out;
 }
 
-double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMemory& before) const {
+double Multipliers::friction_work(const Surfaces& surfaces, Index i, const MultiplierState& before) const {
   const auto& node = nodes_[i];
-  const auto& at = surfaces.hats.nodes[i];
+  const auto& at = surfaces.multiplier_space.nodes[i];
   const double slide = std::fabs(node.plastic_slip) / at.length;
   const auto strength_at = [&](double pressure) {
     return strength(surfaces.laws[at.crack], pressure, before.state[i]).value;
@@ -88,9 +90,9 @@ double Multipliers::friction_work(const Surfaces& surfaces, Index i, const HatMe
                                   surfaces.mortar[at.crack].scale, slide});
 }
 
-// Gap and elastic slip are Z where a node is held. Where faces with hats slide past each other, or past an end, Z
-// changes with the place, too, and takes up what it does not store.
-double Multipliers::smoothing_work(Index i, const HatMemory& before) const {
+// Gap and elastic slip are Z where a node is held. Where faces with hat functions slide past each other, or past an
+// end, Z changes with the place, too, and takes up what it does not store.
+double Multipliers::smoothing_work(Index i, const MultiplierState& before) const {
   const auto& node = nodes_[i];
   if (!node.supported) return 0.0;
   const Vec2 mean = 0.5 * (before.multiplier.segment<2>(2 * i) + node.traction());
@@ -99,35 +101,36 @@ double Multipliers::smoothing_work(Index i, const HatMemory& before) const {
 
 // What lies opposite the end of the other face, and bears a pressure through a gap of either sign, is let go as that
 // end moves on: by t_N g_N per length. G misses it, since less of the face counts.
-double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
-  const auto& hats = surfaces.hats;
+double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const {
+  const auto& hats = surfaces.multiplier_space;
   double out = 0.0;
-  for (const auto& piece : pieces_)
+  for (const auto& mortar_segment : mortar_segments_)
     for (const bool at_end : {false, true}) {
-      const Bound& bound = at_end ? piece.end_at : piece.begin_at;
-      if (!bound.by_partner || !is_free(surfaces.faces[piece.partner], bound)) continue;
-      const auto old = place_before(surfaces, before.trails, piece.partner, bound.place);
+      const Bound& bound = at_end ? mortar_segment.end_at : mortar_segment.begin_at;
+      if (!bound.by_partner || !is_free(surfaces.faces[mortar_segment.partner], bound)) continue;
+      const auto old = place_before(surfaces, before.anchor_maps, mortar_segment.partner, bound.place);
       if (!old) continue;
-      const Strip& strip = hats.strips[piece.strip];
-      const auto& face = surfaces.faces[strip.face];
-      const double eta = at_end ? piece.end : piece.begin;
+      const IntervalPart& interval_part = hats.interval_parts[mortar_segment.interval_part];
+      const auto& face = surfaces.faces[interval_part.face];
+      const double eta = at_end ? mortar_segment.end : mortar_segment.begin;
       const double moved = arc_length(face, eta) - *old;
-      const double pressure = traction(surfaces, strip.face, eta).normal;
-      const auto& interval = hats.intervals[strip.interval];
+      const double pressure = traction(surfaces, interval_part.face, eta).normal;
+      const auto& interval = hats.intervals[interval_part.interval];
       const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
-      out += factor * (at_end ? -moved : moved) * pressure * gap_at(at, face, strip.face, eta, piece.partner, bound);
+      out += factor * (at_end ? -moved : moved) * pressure *
+             gap_at(at, face, interval_part.face, eta, mortar_segment.partner, bound);
     }
   return out;
 }
 
 // theory (8.7)
-HatAdvance Multipliers::advance(const Surfaces& surfaces, const FacePositions& at, const HatMemory& before) const {
+HatAdvance Multipliers::commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const {
   HatAdvance out{remembered(surfaces, at)};
   out.pressure = before.stored - out.memory.stored + mouth_work(surfaces, at, before);
   out.memory.state = before.state;
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
     if (nodes_[i].status == Status::Slip)
-      out.memory.state[i].slip += std::fabs(nodes_[i].plastic_slip) / surfaces.hats.nodes[i].length;
+      out.memory.state[i].slip += std::fabs(nodes_[i].plastic_slip) / surfaces.multiplier_space.nodes[i].length;
     out.friction += friction_work(surfaces, i, before);
     out.pressure += smoothing_work(i, before);
     out.pressure +=

@@ -11,15 +11,17 @@ constexpr double kPressure = 1.0, kRough = 0.5;
 class HatWork : public testing::TestWithParam<NegativeSide> {
  protected:
   Slider s{GetParam()};
-  HatMemory before;
+  MultiplierState before;
 
   HatWork() {
     s.surfaces.laws[0] = Coulomb{kRough};
     s.give_hats(0.25);
-    before = hats_at_rest(s.surfaces);
+    before = multipliers_at_rest(s.surfaces);
   }
   // How the traction that resists a slide of the upper block to the right is counted on the face of a node.
-  double sense(std::size_t i) const { return s.surfaces.hats.nodes[i].side == geometry::Side::Right ? 1.0 : -1.0; }
+  double sense(std::size_t i) const {
+    return s.surfaces.multiplier_space.nodes[i].side == geometry::Side::Right ? 1.0 : -1.0;
+  }
   VecX tractions(double normal, double tangential) const {
     VecX out(2 * static_cast<Index>(before.status.size()));
     for (std::size_t i = 0; i < before.status.size(); ++i)
@@ -58,8 +60,8 @@ TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
   for (std::size_t i = 0; i < before.state.size(); ++i) {
     EXPECT_EQ(before.state[i].slip, 0.2);
     EXPECT_EQ(stuck.memory.state[i].slip, 0.2);
-    length += s.surfaces.hats.nodes[i].length;
-    sum += s.surfaces.hats.nodes[i].length * (slid.memory.state[i].slip - 0.2);
+    length += s.surfaces.multiplier_space.nodes[i].length;
+    sum += s.surfaces.multiplier_space.nodes[i].length * (slid.memory.state[i].slip - 0.2);
   }
   EXPECT_NEAR(sum, 0.03 * 0.97 * length, 1e-12) << "of what is still opposite";
 }

@@ -22,7 +22,7 @@ struct Mortar {
   double compliance = 0.0;  ///< h / (2 mu), m/Pa, of an element at the crack
 };
 
-struct HatNode {
+struct MultiplierNode {
   Index crack = kNone;
   geometry::Side side = geometry::Side::Left;
   double s = 0.0;                       ///< arc length along the crack, metres
@@ -30,47 +30,48 @@ struct HatNode {
   Index before = kNone, after = kNone;  ///< the intervals that it ends; kNone at the ends of a face
 };
 
-struct HatInterval {
+struct MultiplierInterval {
   Index first = kNone, second = kNone;  ///< its nodes
   double length = 0.0;                  ///< metres (half of it if both sides are integrated)
 };
 
 /// The part of a face that lies within an interval.
-struct Strip {
+struct IntervalPart {
   Index face = kNone;
   Index interval = kNone;
   double begin = 0.0, end = 0.0;  ///< places on the face, 0 at its start, 1 at its end
 };
 
-struct Hats {
-  std::vector<HatNode> nodes;
-  std::vector<HatInterval> intervals;
-  std::vector<Strip> strips;       ///< in the order of the faces, and along each
-  std::vector<Index> first_strip;  ///< per face, and one more: where its strips begin; equal if it has none
+struct MultiplierSpace {
+  std::vector<MultiplierNode> nodes;
+  std::vector<MultiplierInterval> intervals;
+  std::vector<IntervalPart> interval_parts;  ///< in the order of the faces, and along each
+  std::vector<Index> first_part;  ///< per face, and one more: where its interval parts begin; equal if it has none
 
   bool empty() const { return nodes.empty(); }
-  /// Whether a face carries hats.
-  bool on(Index face) const { return first_strip[face] != first_strip[face + 1]; }
-  /// The nodes of a strip's interval.
-  std::array<Index, 2> ends(Index strip) const {
-    const auto& interval = intervals[strips[strip].interval];
+  /// Whether a face carries hat functions.
+  bool on(Index face) const { return first_part[face] != first_part[face + 1]; }
+  /// The nodes of a interval part's interval.
+  std::array<Index, 2> ends(Index interval_part) const {
+    const auto& interval = intervals[interval_parts[interval_part].interval];
     return {interval.first, interval.second};
   }
-  /// The strip that holds a place on a face; the face must have some.
-  Index strip_at(Index face, double eta) const;
+  /// The interval part that holds a place on a face; the face must have some.
+  Index part_at(Index face, double eta) const;
   /// Value of the hat of the interval's second node at a place on a face; that of the first is 1 less it.
-  double second_hat(const enrichment::Face& face, const Strip& strip, double eta) const;
+  double second_hat(const enrichment::Face& face, const IntervalPart& interval_part, double eta) const;
 };
 
-/// What is integrated on a face: the distance of nodes there (metres), 0 where it carries no hats, and the factor of
-/// all lengths.
-struct HatPlan {
+/// What is integrated on a face: the distance of nodes there (metres), 0 where it carries no hat functions, and the
+/// factor of all lengths.
+struct MultiplierSpacing {
   double spacing = 0.0;
   double factor = 1.0;
 };
 
 /// Places nodes on every chain of faces with a plan: at both of its ends, and between them at the spacing rounded so
 /// that it divides the chain; where the spacing varies so do the distances.
-Hats make_hats(const std::vector<enrichment::Face>& faces, const std::vector<HatPlan>& plan);
+MultiplierSpace make_multiplier_space(const std::vector<enrichment::Face>& faces,
+                                      const std::vector<MultiplierSpacing>& plan);
 
 }  // namespace cleft::contact

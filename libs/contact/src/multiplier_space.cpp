@@ -1,4 +1,4 @@
-#include "cleft/contact/hats.hpp"
+#include "cleft/contact/multiplier_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,12 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kNoStrip = 1e-9;  // of a face: a strip that is no longer is none
+constexpr double kNoStrip = 1e-9;  // of a face: a interval part that is no longer is none
 
 double length_of(const enrichment::Face& face) { return face.s_end - face.s_start; }
 
 // Arc lengths at which the integral of ds / spacing along the chain passes whole parts of it.
-std::vector<double> places_of(const std::vector<enrichment::Face>& faces, const std::vector<HatPlan>& plan,
+std::vector<double> places_of(const std::vector<enrichment::Face>& faces, const std::vector<MultiplierSpacing>& plan,
                               const std::vector<Index>& chain) {
   double total = 0.0;
   for (const Index f : chain) total += length_of(faces[f]) / plan[f].spacing;
@@ -31,8 +31,9 @@ std::vector<double> places_of(const std::vector<enrichment::Face>& faces, const 
   return out;
 }
 
-void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<HatPlan>& plan,
-               const std::vector<Index>& chain, Hats& out, std::vector<std::vector<Strip>>& strips) {
+void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<MultiplierSpacing>& plan,
+               const std::vector<Index>& chain, MultiplierSpace& out,
+               std::vector<std::vector<IntervalPart>>& interval_parts) {
   const auto& front = faces[chain.front()];
   const double factor = plan[chain.front()].factor;
   const auto s = places_of(faces, plan, chain);
@@ -50,7 +51,7 @@ void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<Hat
     while (begin < 1.0) {
       const double end = k + 1 < count ? (s[k + 1] - faces[f].s_start) / length_of(faces[f]) : 1.0;
       const bool last = end >= 1.0 - kNoStrip;
-      if (end > begin + kNoStrip) strips[f].push_back({f, first + k, begin, last ? 1.0 : end});
+      if (end > begin + kNoStrip) interval_parts[f].push_back({f, first + k, begin, last ? 1.0 : end});
       if (end <= 1.0 + kNoStrip && k + 1 < count) ++k;
       if (last) break;
       begin = std::max(begin, end);
@@ -60,30 +61,32 @@ void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<Hat
 
 }  // namespace
 
-Index Hats::strip_at(Index face, double eta) const {
-  Index k = first_strip[face];
-  while (k + 1 < first_strip[face + 1] && strips[k].end < eta) ++k;
+Index MultiplierSpace::part_at(Index face, double eta) const {
+  Index k = first_part[face];
+  while (k + 1 < first_part[face + 1] && interval_parts[k].end < eta) ++k;
   return k;
 }
 
-double Hats::second_hat(const enrichment::Face& face, const Strip& strip, double eta) const {
-  const double first = nodes[intervals[strip.interval].first].s, second = nodes[intervals[strip.interval].second].s;
+double MultiplierSpace::second_hat(const enrichment::Face& face, const IntervalPart& interval_part, double eta) const {
+  const double first = nodes[intervals[interval_part.interval].first].s,
+               second = nodes[intervals[interval_part.interval].second].s;
   return (face.s_start + eta * length_of(face) - first) / (second - first);
 }
 
-Hats make_hats(const std::vector<enrichment::Face>& faces, const std::vector<HatPlan>& plan) {
-  Hats out;
-  std::vector<std::vector<Strip>> strips(faces.size());
+MultiplierSpace make_multiplier_space(const std::vector<enrichment::Face>& faces,
+                                      const std::vector<MultiplierSpacing>& plan) {
+  MultiplierSpace out;
+  std::vector<std::vector<IntervalPart>> interval_parts(faces.size());
   for (Index f = 0; f < static_cast<Index>(faces.size()); ++f) {
     if (plan[f].spacing == 0.0 || faces[f].previous != kNone) continue;
     std::vector<Index> chain;
     for (Index g = f; g != kNone; g = faces[g].next) chain.push_back(g);
-    add_chain(faces, plan, chain, out, strips);
+    add_chain(faces, plan, chain, out, interval_parts);
   }
-  out.first_strip.push_back(0);
-  for (const auto& own : strips) {
-    out.strips.insert(out.strips.end(), own.begin(), own.end());
-    out.first_strip.push_back(static_cast<Index>(out.strips.size()));
+  out.first_part.push_back(0);
+  for (const auto& own : interval_parts) {
+    out.interval_parts.insert(out.interval_parts.end(), own.begin(), own.end());
+    out.first_part.push_back(static_cast<Index>(out.interval_parts.size()));
   }
   return out;
 }

@@ -3,23 +3,23 @@
 
 #include <random>
 
-#include "cleft/contact/overlap.hpp"
+#include "cleft/contact/mortar_pairs.hpp"
 #include "slider.hpp"
 
 namespace cleft::contact {
 namespace {
 
-constexpr int kAnchorInput = kOverlapInputs, kAllInputs = kOverlapInputs + 4;  // the ends of the anchor's face, too
+constexpr int kAnchorInput = kMortarInputs, kAllInputs = kMortarInputs + 4;  // the ends of the anchor's face, too
 using OverlapInputs = Eigen::Matrix<double, kAllInputs, 1>;
-using OverlapOutputs = Eigen::Matrix<double, kOverlapOutputs, 1>;
+using OverlapOutputs = Eigen::Matrix<double, kMortarOutputs, 1>;
 
 // Two blocks that have slid, turned and warped, on anchors left behind at a smaller slip.
 class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
  protected:
   Slider slider{std::get<0>(GetParam())};
   FacePositions at;
-  std::vector<Trail> trails;
-  std::vector<Piece> pieces;
+  std::vector<AnchorMap> anchor_maps;
+  std::vector<MortarSegment> mortar_segments;
   std::vector<Vec2> traction;  // per node
 
   void SetUp() override {
@@ -28,75 +28,80 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
     slider.give_hats(0.083);
     slider.look(slider.shift({0.21, -1e-3}));
     at = slider.search.positions();
-    trails = trails_of(surfaces, at, find_pieces(surfaces, at, slider.pairs, trails_at_rest(surfaces)));
+    anchor_maps =
+        anchor_maps_of(surfaces, at, find_mortar_segments(surfaces, at, slider.pairs, anchor_maps_at_rest(surfaces)));
     VecX u = slider.shift({0.24, -1e-3}, surfaces.undeformed ? 0.0 : 0.4);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
     for (Index c = 0; c < 2 * slider.unknowns.displacements(); ++c) u[c] += 3e-3 * any(random);
     slider.look(u);
     at = slider.search.positions();
-    pieces = find_pieces(surfaces, at, slider.pairs, trails);
-    for (std::size_t k = 0; k < surfaces.hats.nodes.size(); ++k) traction.emplace_back(any(random) - 2.0, any(random));
+    mortar_segments = find_mortar_segments(surfaces, at, slider.pairs, anchor_maps);
+    for (std::size_t k = 0; k < surfaces.multiplier_space.nodes.size(); ++k)
+      traction.emplace_back(any(random) - 2.0, any(random));
   }
 
-  Index face_of(const Piece& piece) const { return slider.surfaces.hats.strips[piece.strip].face; }
+  Index face_of(const MortarSegment& mortar_segment) const {
+    return slider.surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face;
+  }
 
-  OverlapInputs inputs(const Piece& piece) const {
-    const auto& hats = slider.surfaces.hats;
+  OverlapInputs inputs(const MortarSegment& mortar_segment) const {
+    const auto& hats = slider.surfaces.multiplier_space;
     OverlapInputs x = OverlapInputs::Zero();
     const auto add_face = [&](int k, Index f) { x.segment<4>(k) << at.start[f], at.end[f]; };
-    const auto ends = hats.ends(piece.strip);
-    add_face(0, face_of(piece));
-    add_face(4, piece.partner);
+    const auto ends = hats.ends(mortar_segment.interval_part);
+    add_face(0, face_of(mortar_segment));
+    add_face(4, mortar_segment.partner);
     x.segment<4>(kNodeInputs) << traction[ends[0]], traction[ends[1]];
-    if (piece.trail != kNone) add_face(kAnchorInput, trails[piece.trail].anchor_face);
+    if (mortar_segment.anchor_map != kNone) add_face(kAnchorInput, anchor_maps[mortar_segment.anchor_map].anchor_face);
     return x;
   }
 
   struct Integrals {
-    OverlapIntegrals sums;
+    MortarIntegrals sums;
     SlipByAnchor by_anchor;
   };
 
-  // Over a single piece.
-  Integrals integrals(const Piece& piece, const OverlapInputs& x) const {
+  // Over a single mortar segment.
+  Integrals integrals(const MortarSegment& mortar_segment, const OverlapInputs& x) const {
     FacePositions moved = at;
-    std::vector<Trail> trail = trails;
+    std::vector<AnchorMap> anchor_map = anchor_maps;
     const auto put = [&](int k, Index f) { moved.start[f] = x.segment<2>(k), moved.end[f] = x.segment<2>(k + 2); };
-    put(0, face_of(piece));
-    put(4, piece.partner);
-    if (piece.trail != kNone) {  // as a face of its own: it may be the partner
-      trail[piece.trail].anchor_face = static_cast<Index>(at.start.size());
+    put(0, face_of(mortar_segment));
+    put(4, mortar_segment.partner);
+    if (mortar_segment.anchor_map != kNone) {  // as a face of its own: it may be the partner
+      anchor_map[mortar_segment.anchor_map].anchor_face = static_cast<Index>(at.start.size());
       moved.start.emplace_back();
       moved.end.emplace_back();
-      put(kAnchorInput, trail[piece.trail].anchor_face);
+      put(kAnchorInput, anchor_map[mortar_segment.anchor_map].anchor_face);
     }
     Integrals out;
-    integrate(slider.surfaces, moved, trail, std::span(&piece, 1),
+    integrate(slider.surfaces, moved, anchor_map, std::span(&mortar_segment, 1),
               {x.segment<2>(kNodeInputs), x.segment<2>(kNodeInputs + 2)}, out.sums, std::span(&out.by_anchor, 1));
     return out;
   }
 
   // By the definitions, at the middles of many parts.
-  OverlapOutputs summed(const Piece& piece, int parts) const {
+  OverlapOutputs summed(const MortarSegment& mortar_segment, int parts) const {
     const auto& surfaces = slider.surfaces;
-    const auto& hats = surfaces.hats;
-    const auto& strip = hats.strips[piece.strip];
-    const auto& face = surfaces.faces[strip.face];
-    const auto& interval = hats.intervals[strip.interval];
-    const Vec2 a = at.start[strip.face], b = at.end[strip.face], c = at.start[piece.partner], d = at.end[piece.partner];
+    const auto& hats = surfaces.multiplier_space;
+    const auto& interval_part = hats.interval_parts[mortar_segment.interval_part];
+    const auto& face = surfaces.faces[interval_part.face];
+    const auto& interval = hats.intervals[interval_part.interval];
+    const Vec2 a = at.start[interval_part.face], b = at.end[interval_part.face], c = at.start[mortar_segment.partner],
+               d = at.end[mortar_segment.partner];
     const Vec2 reference = face.reference_end - face.reference_start;
     const Vec2 t = (surfaces.undeformed ? reference : Vec2(b - a)).normalized();
     const Vec2 n = face.normal_sign() * turn_left(t);
     const double both = std::get<0>(GetParam()) == NegativeSide::Both ? 0.5 : 1.0;
     OverlapOutputs out = OverlapOutputs::Zero();
     for (int k = 0; k < parts; ++k) {
-      const double eta = piece.begin + (k + 0.5) / parts * (piece.end - piece.begin);
-      const double ds = both * reference.norm() * (piece.end - piece.begin) / parts;
+      const double eta = mortar_segment.begin + (k + 0.5) / parts * (mortar_segment.end - mortar_segment.begin);
+      const double ds = both * reference.norm() * (mortar_segment.end - mortar_segment.begin) / parts;
       const Vec2 y = a + eta * (b - a);
       const double xi = surfaces.undeformed ? eta : (y - c).dot(t) / (d - c).dot(t);
       const Vec2 gap = c + xi * (d - c) - y;
-      const double second = hats.second_hat(face, strip, eta);
+      const double second = hats.second_hat(face, interval_part, eta);
       const Vec2 l = (1.0 - second) * traction[interval.first] + second * traction[interval.second];
       const Vec2 pull = ds * (l.x() * n + l.y() * t);
       out.segment<2>(0) -= (1.0 - eta) * pull;
@@ -109,11 +114,11 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
         out.segment<2>(2) += couple;
       }
       double slip = 0.0;
-      if (piece.trail != kNone) {
-        const Trail& trail = trails[piece.trail];
-        const double share = (eta - trail.begin) / (trail.end - trail.begin);
-        const double place = (1.0 - share) * trail.anchor_begin + share * trail.anchor_end;
-        const Vec2 p = at.start[trail.anchor_face], q = at.end[trail.anchor_face];
+      if (mortar_segment.anchor_map != kNone) {
+        const AnchorMap& anchor_map = anchor_maps[mortar_segment.anchor_map];
+        const double share = (eta - anchor_map.begin) / (anchor_map.end - anchor_map.begin);
+        const double place = (1.0 - share) * anchor_map.anchor_begin + share * anchor_map.anchor_end;
+        const Vec2 p = at.start[anchor_map.anchor_face], q = at.end[anchor_map.anchor_face];
         slip = surfaces.undeformed ? gap.dot(t) + reference.norm() * (place - eta)
                                    : ((1.0 - place) * p + place * q - y).dot(t);
       }
@@ -131,35 +136,35 @@ INSTANTIATE_TEST_SUITE_P(Sides, OverlapIntegral,
                                           testing::Bool()));
 
 TEST_P(OverlapIntegral, IsTheSumOverManyPoints) {
-  ASSERT_GT(pieces.size(), 40U);
-  for (const Piece& piece : pieces) {
-    const OverlapOutputs exact = integrals(piece, inputs(piece)).sums.value;
-    const double far = (exact - summed(piece, 100)).cwiseAbs().maxCoeff(),
-                 near = (exact - summed(piece, 200)).cwiseAbs().maxCoeff();
+  ASSERT_GT(mortar_segments.size(), 40U);
+  for (const MortarSegment& mortar_segment : mortar_segments) {
+    const OverlapOutputs exact = integrals(mortar_segment, inputs(mortar_segment)).sums.value;
+    const double far = (exact - summed(mortar_segment, 100)).cwiseAbs().maxCoeff(),
+                 near = (exact - summed(mortar_segment, 200)).cwiseAbs().maxCoeff();
     EXPECT_LE(far, 1e-4 * exact.cwiseAbs().maxCoeff());
     EXPECT_LE(near, 0.26 * far + 1e-14);  // the sum's error falls with the square of the parts
   }
 }
 
 TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
-  const auto overlaps = overlaps_of(pieces);
+  const auto mortar_pairs = mortar_pairs_of(mortar_segments);
   Index next = 0, several = 0;
-  for (const Overlap& overlap : overlaps) {
-    ASSERT_EQ(overlap.first, next);
-    next = overlap.last;
-    several += overlap.last > overlap.first + 1;
-    const auto count = static_cast<std::size_t>(overlap.last - overlap.first);
-    const std::span<const Piece> own = std::span(pieces).subspan(overlap.first, count);
-    const auto ends = slider.surfaces.hats.ends(overlap.strip);
-    OverlapIntegrals whole;
+  for (const MortarPair& mortar_pair : mortar_pairs) {
+    ASSERT_EQ(mortar_pair.first, next);
+    next = mortar_pair.last;
+    several += mortar_pair.last > mortar_pair.first + 1;
+    const auto count = static_cast<std::size_t>(mortar_pair.last - mortar_pair.first);
+    const std::span<const MortarSegment> own = std::span(mortar_segments).subspan(mortar_pair.first, count);
+    const auto ends = slider.surfaces.multiplier_space.ends(mortar_pair.interval_part);
+    MortarIntegrals whole;
     std::vector<SlipByAnchor> by_anchor(count);
-    integrate(slider.surfaces, at, trails, own, {traction[ends[0]], traction[ends[1]]}, whole, by_anchor);
+    integrate(slider.surfaces, at, anchor_maps, own, {traction[ends[0]], traction[ends[1]]}, whole, by_anchor);
     OverlapOutputs value = OverlapOutputs::Zero();
     auto force_by = (0.0 * whole.force_by).eval();
     auto node_by = (0.0 * whole.node_by).eval();
     for (std::size_t p = 0; p < count; ++p) {
-      EXPECT_EQ(own[p].strip, overlap.strip);
-      EXPECT_EQ(own[p].partner, overlap.partner);
+      EXPECT_EQ(own[p].interval_part, mortar_pair.interval_part);
+      EXPECT_EQ(own[p].partner, mortar_pair.partner);
       const auto part = integrals(own[p], inputs(own[p]));
       value += part.sums.value;
       force_by += part.sums.force_by;
@@ -172,30 +177,30 @@ TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
     EXPECT_LE((whole.force_by - force_by).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_LE((whole.node_by - node_by).cwiseAbs().maxCoeff(), 1e-13);
   }
-  EXPECT_EQ(next, static_cast<Index>(pieces.size()));
+  EXPECT_EQ(next, static_cast<Index>(mortar_segments.size()));
   EXPECT_EQ(several > 0, !slider.surfaces.undeformed);
 }
 
 TEST_P(OverlapIntegral, HasExactDerivatives) {
   int moving = 0, anchored = 0, other = 0;
-  for (const Piece& piece : pieces) {
-    moving += piece.begin_at.by_partner || piece.end_at.by_partner;
-    anchored += piece.trail != kNone;
-    const bool hats_opposite = slider.surfaces.hats.on(piece.partner);
+  for (const MortarSegment& mortar_segment : mortar_segments) {
+    moving += mortar_segment.begin_at.by_partner || mortar_segment.end_at.by_partner;
+    anchored += mortar_segment.anchor_map != kNone;
+    const bool hats_opposite = slider.surfaces.multiplier_space.on(mortar_segment.partner);
     other += hats_opposite;
-    const OverlapInputs x = inputs(piece);
-    const auto exact = integrals(piece, x);
-    Eigen::Matrix<double, kOverlapOutputs, kAllInputs> derivative;
+    const OverlapInputs x = inputs(mortar_segment);
+    const auto exact = integrals(mortar_segment, x);
+    Eigen::Matrix<double, kMortarOutputs, kAllInputs> derivative;
     derivative.setZero();
-    derivative.topLeftCorner<kGapOutput, kOverlapInputs>() = exact.sums.force_by;
-    derivative.bottomLeftCorner<kOverlapOutputs - kGapOutput, kNodeInputs>() = exact.sums.node_by;
+    derivative.topLeftCorner<kGapOutput, kMortarInputs>() = exact.sums.force_by;
+    derivative.bottomLeftCorner<kMortarOutputs - kGapOutput, kNodeInputs>() = exact.sums.node_by;
     for (int k = 0; k < 2; ++k) derivative.block<1, 4>(kGapOutput + 2 * k + 1, kAnchorInput) = exact.by_anchor.row(k);
     for (int k = 0; k < kAllInputs; ++k) {
       const double step = k >= kNodeInputs && k < kAnchorInput ? 1e-3 : 1e-7;
       OverlapInputs plus = x, minus = x;
       plus(k) += step;
       minus(k) -= step;
-      const auto up = integrals(piece, plus).sums, down = integrals(piece, minus).sums;
+      const auto up = integrals(mortar_segment, plus).sums, down = integrals(mortar_segment, minus).sums;
       const OverlapOutputs difference = (up.value - down.value) / (2.0 * step);
       EXPECT_LE((difference - derivative.col(k)).cwiseAbs().maxCoeff(), 1e-7) << "input " << k;
       if (!hats_opposite || k >= kNodeInputs) continue;
@@ -212,28 +217,30 @@ TEST_P(OverlapIntegral, HasExactDerivatives) {
 TEST_P(OverlapIntegral, PlacesOppositeMoveByTheRatioOfLengths) {
   const auto& surfaces = slider.surfaces;
   int judged = 0;
-  for (const Piece& piece : pieces) {
-    if (!surfaces.hats.on(piece.partner)) continue;
-    const Index f = face_of(piece), g = piece.partner;
+  for (const MortarSegment& mortar_segment : mortar_segments) {
+    if (!surfaces.multiplier_space.on(mortar_segment.partner)) continue;
+    const Index f = face_of(mortar_segment), g = mortar_segment.partner;
     const auto length = [&](Index k) {
       return (surfaces.faces[k].reference_end - surfaces.faces[k].reference_start).norm();
     };
-    const double apart =
-        place_opposite(surfaces, at, f, g, piece.end).value - place_opposite(surfaces, at, f, g, piece.begin).value;
+    const double apart = place_opposite(surfaces, at, f, g, mortar_segment.end).value -
+                         place_opposite(surfaces, at, f, g, mortar_segment.begin).value;
     ++judged;
     EXPECT_NEAR(std::fabs(apart) * length(g),
-                integrals(piece, inputs(piece)).sums.length_ratio.value * (piece.end - piece.begin) * length(f), 1e-12);
+                integrals(mortar_segment, inputs(mortar_segment)).sums.length_ratio.value *
+                    (mortar_segment.end - mortar_segment.begin) * length(f),
+                1e-12);
   }
   EXPECT_EQ(judged > 40, std::get<0>(GetParam()) == NegativeSide::Both);
 }
 
 TEST_P(OverlapIntegral, PlaceOppositeHasExactDerivatives) {
   const auto& surfaces = slider.surfaces;
-  for (const Piece& piece : pieces) {
-    const Index f = face_of(piece), g = piece.partner;
-    const double eta = 0.5 * (piece.begin + piece.end);
-    const Moved exact = place_opposite(surfaces, at, f, g, eta);
-    const OverlapInputs x = inputs(piece);
+  for (const MortarSegment& mortar_segment : mortar_segments) {
+    const Index f = face_of(mortar_segment), g = mortar_segment.partner;
+    const double eta = 0.5 * (mortar_segment.begin + mortar_segment.end);
+    const ValueAndGradient exact = place_opposite(surfaces, at, f, g, eta);
+    const OverlapInputs x = inputs(mortar_segment);
     EXPECT_EQ(exact.by.isZero(0.0), surfaces.undeformed) << "at small strain it is the place itself";
     for (int k = 0; k < kNodeInputs; ++k) {
       const auto moved = [&](double step) {

@@ -1,4 +1,4 @@
-#include "cleft/contact/overlap.hpp"
+#include "cleft/contact/mortar_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,8 @@
 namespace cleft::contact {
 namespace {
 
-// Of a face: a piece that is no longer is none, and what bounds its neighbour is the end of the face or strip instead.
+// Of a face: a mortar segment that is no longer is none, and what bounds its neighbour is the end of the face or
+// interval part instead.
 constexpr double kCrumb = 1e-11;
 
 // A segment of the other face, and the part of a face that it lies opposite.
@@ -105,34 +106,37 @@ void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& t
   tiles = std::move(out);
 }
 
-// Adds the parts of a tile that lie in a strip, by trail; `first` and `last` bound the face's trails.
-void add_pieces(const std::vector<Trail>& trails, Index first, Index last, const Strip& strip, Index number,
-                const Tile& tile, std::vector<Piece>& out) {
-  // Where a trail ends opposite an end of the partner, as after sticking, it is the partner's end that moves.
+// Adds the parts of a tile that lie in a interval part, by anchor map; `first` and `last` bound the face's anchor maps.
+void add_pieces(const std::vector<AnchorMap>& anchor_maps, Index first, Index last, const IntervalPart& interval_part,
+                Index number, const Tile& tile, std::vector<MortarSegment>& out) {
+  // Where a anchor map ends opposite an end of the partner, as after sticking, it is the partner's end that moves.
   const auto gives_way = [&](double bound) {
-    return bound > strip.begin + kCrumb && bound < strip.end - kCrumb ? -kCrumb : kCrumb;
+    return bound > interval_part.begin + kCrumb && bound < interval_part.end - kCrumb ? -kCrumb : kCrumb;
   };
-  const auto add = [&](Index trail, double begin, double end) {
-    Piece piece{number, tile.partner, trail, begin, end, {}, {}};
+  const auto add = [&](Index anchor_map, double begin, double end) {
+    MortarSegment mortar_segment{number, tile.partner, anchor_map, begin, end, {}, {}};
     if (tile.begin > begin + gives_way(begin))
-      piece.begin = std::max(begin, tile.begin), piece.begin_at = tile.begin_at;
-    if (tile.end < end - gives_way(end)) piece.end = std::min(end, tile.end), piece.end_at = tile.end_at;
-    if (piece.end > piece.begin + kCrumb) out.push_back(piece);
+      mortar_segment.begin = std::max(begin, tile.begin), mortar_segment.begin_at = tile.begin_at;
+    if (tile.end < end - gives_way(end))
+      mortar_segment.end = std::min(end, tile.end), mortar_segment.end_at = tile.end_at;
+    if (mortar_segment.end > mortar_segment.begin + kCrumb) out.push_back(mortar_segment);
   };
-  double begin = strip.begin;
+  double begin = interval_part.begin;
   for (Index k = first; k < last; ++k) {
-    const double from = std::max(trails[k].begin, strip.begin), to = std::min(trails[k].end, strip.end);
+    const double from = std::max(anchor_maps[k].begin, interval_part.begin),
+                 to = std::min(anchor_maps[k].end, interval_part.end);
     if (to <= from + kCrumb) continue;
     if (from > begin + kCrumb) add(kNone, begin, from);
     add(k, std::max(begin, from), to);
     begin = to;
   }
-  if (strip.end > begin + kCrumb) add(kNone, begin, strip.end);
+  if (interval_part.end > begin + kCrumb) add(kNone, begin, interval_part.end);
 }
 
 // Where the point's anchor must lie so that it has no slip.
-double anchor_on(const Surfaces& surfaces, const FacePositions& at, const Piece& piece, double eta) {
-  const Index f = surfaces.hats.strips[piece.strip].face, g = piece.partner;
+double anchor_on(const Surfaces& surfaces, const FacePositions& at, const MortarSegment& mortar_segment, double eta) {
+  const Index f = surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face,
+              g = mortar_segment.partner;
   if (!surfaces.undeformed) return place_opposite(surfaces, at, f, g, eta).value;
   const Vec2 along = surfaces.faces[f].reference_end - surfaces.faces[f].reference_start;
   const Vec2 jump = (1.0 - eta) * (at.start[g] - at.start[f]) + eta * (at.end[g] - at.end[f]);
@@ -141,13 +145,14 @@ double anchor_on(const Surfaces& surfaces, const FacePositions& at, const Piece&
 
 }  // namespace
 
-std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                               const std::vector<Trail>& trails) {
-  std::vector<Piece> out;
+std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const FacePositions& at,
+                                                const std::vector<Pair>& pairs,
+                                                const std::vector<AnchorMap>& anchor_maps) {
+  std::vector<MortarSegment> out;
   std::vector<Tile> tiles;
-  const auto& hats = surfaces.hats;
-  Index trail = 0, point = 0;
-  const auto points = static_cast<Index>(surfaces.points.size()), all_trails = static_cast<Index>(trails.size());
+  const auto& hats = surfaces.multiplier_space;
+  Index anchor_map = 0, point = 0;
+  const auto points = static_cast<Index>(surfaces.points.size()), all_trails = static_cast<Index>(anchor_maps.size());
   for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
     if (!hats.on(f)) continue;
     tiles.clear();
@@ -161,49 +166,51 @@ std::vector<Piece> find_pieces(const Surfaces& surfaces, const FacePositions& at
           walk(surfaces, at, ray, seed, tiles);
       make_disjoint(at, ray, tiles);
     }
-    while (trail < all_trails && trails[trail].face < f) ++trail;
-    Index end = trail;
-    while (end < all_trails && trails[end].face == f) ++end;
-    for (Index s = hats.first_strip[f]; s < hats.first_strip[f + 1]; ++s)
-      for (const Tile& tile : tiles) add_pieces(trails, trail, end, hats.strips[s], s, tile, out);
+    while (anchor_map < all_trails && anchor_maps[anchor_map].face < f) ++anchor_map;
+    Index end = anchor_map;
+    while (end < all_trails && anchor_maps[end].face == f) ++end;
+    for (Index s = hats.first_part[f]; s < hats.first_part[f + 1]; ++s)
+      for (const Tile& tile : tiles) add_pieces(anchor_maps, anchor_map, end, hats.interval_parts[s], s, tile, out);
   }
   return out;
 }
 
-std::vector<Overlap> overlaps_of(const std::vector<Piece>& pieces) {
-  std::vector<Overlap> out;
-  for (Index p = 0; p < static_cast<Index>(pieces.size()); ++p) {
-    const auto& [strip, partner, trail, begin, end, begin_at, end_at] = pieces[p];
-    if (out.empty() || out.back().strip != strip || out.back().partner != partner)
-      out.push_back({strip, partner, p, p});
+std::vector<MortarPair> mortar_pairs_of(const std::vector<MortarSegment>& mortar_segments) {
+  std::vector<MortarPair> out;
+  for (Index p = 0; p < static_cast<Index>(mortar_segments.size()); ++p) {
+    const auto& [interval_part, partner, anchor_map, begin, end, begin_at, end_at] = mortar_segments[p];
+    if (out.empty() || out.back().interval_part != interval_part || out.back().partner != partner)
+      out.push_back({interval_part, partner, p, p});
     ++out.back().last;
   }
   return out;
 }
 
-std::vector<Trail> trails_of(const Surfaces& surfaces, const FacePositions& at, const std::vector<Piece>& pieces) {
-  std::vector<Trail> out;
-  for (const auto& piece : pieces) {
-    const Index face = surfaces.hats.strips[piece.strip].face;
-    const double end_place = anchor_on(surfaces, at, piece, piece.end);
-    if (!out.empty() && out.back().face == face && out.back().anchor_face == piece.partner &&
-        piece.begin <= out.back().end + kCrumb) {  // one more piece of the same straight line
-      out.back().end = piece.end;
+std::vector<AnchorMap> anchor_maps_of(const Surfaces& surfaces, const FacePositions& at,
+                                      const std::vector<MortarSegment>& mortar_segments) {
+  std::vector<AnchorMap> out;
+  for (const auto& mortar_segment : mortar_segments) {
+    const Index face = surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face;
+    const double end_place = anchor_on(surfaces, at, mortar_segment, mortar_segment.end);
+    if (!out.empty() && out.back().face == face && out.back().anchor_face == mortar_segment.partner &&
+        mortar_segment.begin <= out.back().end + kCrumb) {  // one more mortar segment of the same straight line
+      out.back().end = mortar_segment.end;
       out.back().anchor_end = end_place;
       continue;
     }
-    out.push_back(
-        {face, piece.begin, piece.end, piece.partner, anchor_on(surfaces, at, piece, piece.begin), end_place});
+    out.push_back({face, mortar_segment.begin, mortar_segment.end, mortar_segment.partner,
+                   anchor_on(surfaces, at, mortar_segment, mortar_segment.begin), end_place});
   }
-  std::ranges::stable_sort(
-      out, [](const Trail& a, const Trail& b) { return a.face != b.face ? a.face < b.face : a.begin < b.begin; });
+  std::ranges::stable_sort(out, [](const AnchorMap& a, const AnchorMap& b) {
+    return a.face != b.face ? a.face < b.face : a.begin < b.begin;
+  });
   return out;
 }
 
-std::vector<Trail> trails_at_rest(const Surfaces& surfaces) {
-  std::vector<Trail> out;
-  for (Index f = 0; f + 1 < static_cast<Index>(surfaces.hats.first_strip.size()); ++f)
-    if (surfaces.hats.on(f)) out.push_back({f, 0.0, 1.0, enrichment::opposite_face(f), 0.0, 1.0});
+std::vector<AnchorMap> anchor_maps_at_rest(const Surfaces& surfaces) {
+  std::vector<AnchorMap> out;
+  for (Index f = 0; f + 1 < static_cast<Index>(surfaces.multiplier_space.first_part.size()); ++f)
+    if (surfaces.multiplier_space.on(f)) out.push_back({f, 0.0, 1.0, enrichment::opposite_face(f), 0.0, 1.0});
   return out;
 }
 
