@@ -28,7 +28,7 @@ std::string switched_on(const problem::Specification& scene, const assembly::Mod
                 : "cutting, enrichment, contact search, friction";
   if (!model.tip_points.empty()) out += ", branch functions";
   if (!model.ties.empty()) out += ", ghost penalty at small cuts";
-  if (!model.mate.empty()) out += ", F-bar patches";
+  if (!model.f_bar_partner.empty()) out += ", F-bar patches";
   if (model.has_memory()) out += ", plastic history";
   if (scene.loading.control == solve::Control::Path) out += ", path following where the load cannot rise";
   if (std::ranges::any_of(scene.materials, problem::is_viscous)) out += ", viscous flow";

@@ -5,7 +5,7 @@
 
 #include "cleft/support/timer.hpp"
 #include "contact_points.hpp"
-#include "patch_forces.hpp"
+#include "f_bar_forces.hpp"
 
 namespace cleft::assembly {
 namespace {
@@ -99,18 +99,18 @@ AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
 }
 
 Assembler::Assembler(const Model& model)
-    : model_(model), patches_(patches_of(model)), room_(model.surfaces.faces.size()) {
+    : model_(model), patches_(patches_of(model)), reserved_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
     History rest{contact::memory_at_rest(model.surfaces)};
     if (!model.surfaces.multiplier_space.empty()) rest.multiplier_space = contact::multipliers_at_rest(model.surfaces);
     find_contact(VecX::Zero(model.unknowns.components()), rest, contact::Conditions::OwnState);
-    make_room(rest);
+    reserve_couplings(rest);
   }
   build_pattern();
 }
 
-void Assembler::set_room(ContactRoom room) {
-  room_ = std::move(room);
+void Assembler::reserve(ReservedCouplings reserved) {
+  reserved_ = std::move(reserved);
   build_pattern();
 }
 
@@ -123,8 +123,8 @@ void Assembler::build_pattern() {
   couple_tip_points(model_.tip_points, couplings);
   couplings.add_each(model_.ties);
   couple_multipliers(model_.surfaces, couplings);
-  for (std::size_t f = 0; f < room_.size(); ++f)
-    if (!room_[f].empty()) couplings.add(unknowns_near(model_.surfaces, static_cast<Index>(f), room_[f]));
+  for (std::size_t f = 0; f < reserved_.size(); ++f)
+    if (!reserved_[f].empty()) couplings.add(unknowns_near(model_.surfaces, static_cast<Index>(f), reserved_[f]));
   matrix_ = BlockMatrix(model_.unknowns.count, couplings.blocks);
   find_places(matrix_, model_.cells, places_);
   find_places(matrix_, patches_, patch_places_);
@@ -133,11 +133,11 @@ void Assembler::build_pattern() {
   ++version_;
 }
 
-void Assembler::make_room(const History& history) {
+void Assembler::reserve_couplings(const History& history) {
   const auto& memory = history.contact;
-  for (auto& faces : room_) faces.clear();
+  for (auto& faces : reserved_) faces.clear();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    auto& faces = room_[model_.surfaces.points[p].face];
+    auto& faces = reserved_[model_.surfaces.points[p].face];
     if (pairs_[p].partner_face != kNone)
       add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kRoom, faces);
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
@@ -145,19 +145,19 @@ void Assembler::make_room(const History& history) {
   }
   for (const auto& piece : multipliers_.pieces())
     add_with_neighbours(model_.surfaces.faces, piece.partner, kRoom,
-                        room_[model_.surfaces.multiplier_space.strips[piece.strip].face]);
+                        reserved_[model_.surfaces.multiplier_space.strips[piece.strip].face]);
   for (const auto& anchor_map : history.multipliers.anchor_maps)
-    room_[anchor_map.face].push_back(anchor_map.anchor_face);
-  for (auto& faces : room_) {
+    reserved_[anchor_map.face].push_back(anchor_map.anchor_face);
+  for (auto& faces : reserved_) {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   }
 }
 
-bool Assembler::has_room(const History& history) const {
+bool Assembler::has_couplings(const History& history) const {
   const auto& memory = history.contact;
   for (const auto& piece : multipliers_.pieces()) {
-    const auto& faces = room_[model_.surfaces.multiplier_space.strips[piece.strip].face];
+    const auto& faces = reserved_[model_.surfaces.multiplier_space.strips[piece.strip].face];
     const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(piece.partner)) return false;
     if (piece.anchor_map != kNone && !holds(history.multipliers.anchor_maps[piece.anchor_map].anchor_face))
@@ -166,7 +166,7 @@ bool Assembler::has_room(const History& history) const {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
     if (!contact::presses(pair) || is_mortar(model_.surfaces, p)) continue;
-    const auto& faces = room_[model_.surfaces.points[p].face];
+    const auto& faces = reserved_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(pair.partner_face) || !holds(pair.mouth_face)) return false;
     if (pulls_anchor(model_.surfaces, pair) && !holds(memory[p].anchor_face)) return false;
@@ -182,8 +182,8 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
       const PhaseTimer timer(seconds_.contact);
       find_contact(displacement, history, conditions);
     }
-    if (!has_room(history)) {
-      make_room(history);
+    if (!has_couplings(history)) {
+      reserve_couplings(history);
       build_pattern();
     }
   }
@@ -281,7 +281,7 @@ Index Assembler::bulk_loop(const Law& law, const PointRange& range, const VecX& 
   const auto first_cell = [](const Patch& patch) { return static_cast<std::size_t>(patch.cell[0]); };
   auto patch = std::ranges::lower_bound(patches_, c, {}, first_cell);
   for (; c < std::min(range.last, cells); ++c) {
-    if (patches && model_.mate[c] != kNone) {
+    if (patches && model_.f_bar_partner[c] != kNone) {
       if (patch == patches_.end() || first_cell(*patch) != c) continue;  // with its first cell
       const auto number = static_cast<std::size_t>(patch++ - patches_.begin());
       if (const Index bad = add_patch(law, displacement, history, number); bad != kNone) return bad;

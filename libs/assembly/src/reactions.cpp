@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/assembly/stress.hpp"
 
 namespace cleft::assembly {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 
 namespace cleft::assembly {
 
@@ -84,7 +84,7 @@ constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& di
     if constexpr (constitutive::PathDependent<Law>)
       for_each_material_point(model, range, [&](std::size_t p, const auto&, double weight) {
         const auto number = static_cast<Index>(p);
-        const Index mate = p < model.mate.size() ? model.mate[p] : kNone;
+        const Index mate = p < model.f_bar_partner.size() ? model.f_bar_partner[p] : kNone;
         if (mate == kNone) {
           const Mat2 F = deformation(model, number, displacement);
           add(law.dissipation(F, before.plastic[p], before.duration), weight);

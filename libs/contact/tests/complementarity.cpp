@@ -47,8 +47,8 @@ double fault(const ContactProblem& problem, const VecX& w) {
     const double strength = problem.laws[i].friction * std::max(0.0, -normal);
     worst = std::max({worst, normal, -gap, std::min(-normal, gap), std::fabs(shear) - strength});
     if (gap > -normal) continue;  // open
-    const double room = strength - std::fabs(shear);
-    worst = std::max(worst, std::min(room, std::fabs(slip)));
+    const double reserved = strength - std::fabs(shear);
+    worst = std::max(worst, std::min(reserved, std::fabs(slip)));
     if (slip * shear < 0.0) worst = std::max(worst, std::min(std::fabs(slip), std::fabs(shear)));
   }
   return worst;

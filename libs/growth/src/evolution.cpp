@@ -265,7 +265,8 @@ std::variant<Step, Failure> Evolution::grow(const solve::IterationObserver& obse
   return out;
 }
 
-void Evolution::restore(Record record, assembly::State state, solve::StepPlace place, assembly::ContactRoom room) {
+void Evolution::restore(Record record, assembly::State state, solve::StepPlace place,
+                        assembly::ReservedCouplings reserved) {
   auto cracks = model_->cracks;
   bool grown = false;
   for (std::size_t c = 0; c < record.points.size(); ++c) {
@@ -279,7 +280,7 @@ void Evolution::restore(Record record, assembly::State state, solve::StepPlace p
     auto stepper = std::make_unique<solve::LoadStepper>(*model, controls_);
     replace(std::move(model), std::move(stepper));
   }
-  stepper_->restore(std::move(state), place, std::move(room));
+  stepper_->restore(std::move(state), place, std::move(reserved));
 }
 
 assembly::AssemblySeconds Evolution::assembly_seconds() const {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "cleft/assembly/material_places.hpp"
+#include "cleft/assembly/material_point_geometry.hpp"
 #include "cleft/geometry/common_area.hpp"
 
 namespace cleft::growth {

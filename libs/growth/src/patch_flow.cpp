@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/constitutive/plastic_volume.hpp"
 
 namespace cleft::growth {
@@ -28,7 +28,7 @@ void add_volume(const Model& model, const VecX& displacement, double times, Plas
 }
 
 bool has_flowed(const Model& model, const Plastic& plastic, std::size_t point) {
-  const Index mate = point < model.mate.size() ? model.mate[point] : kNone;
+  const Index mate = point < model.f_bar_partner.size() ? model.f_bar_partner[point] : kNone;
   return plastic[point].accumulated > 0.0 || (mate != kNone && plastic[mate].accumulated > 0.0);
 }
 
@@ -52,12 +52,12 @@ void share_volumes(const Model& model, Plastic& plastic) {
 }  // namespace
 
 Plastic without_volume(const Model& model, const VecX& displacement, Plastic plastic) {
-  if (!plastic.empty() && !model.mate.empty()) add_volume(model, displacement, -1.0, plastic);
+  if (!plastic.empty() && !model.f_bar_partner.empty()) add_volume(model, displacement, -1.0, plastic);
   return plastic;
 }
 
 Plastic with_volume(const Model& model, const VecX& displacement, Plastic plastic) {
-  if (plastic.empty() || model.mate.empty()) return plastic;
+  if (plastic.empty() || model.f_bar_partner.empty()) return plastic;
   add_volume(model, displacement, 1.0, plastic);
   share_volumes(model, plastic);
   for (std::size_t p = 0; p < plastic.size(); ++p)

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cleft/assembly/material_places.hpp"
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
+#include "cleft/assembly/material_point_geometry.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/criterion.hpp"

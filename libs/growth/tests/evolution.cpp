@@ -148,25 +148,33 @@ TEST(Evolution, GoesTheFirstWayWhereTheCorrectedOneIsBarred) {
   GrowthLaw law = rankine(6e7, 0.1, 1);
   auto square = turning_crack();
   square.cracks[0].tip_radius = 0.4;
-  for (double y : {0.512, 0.537}) for (double r = 0.39; r < 0.45; r += 0.0004) {
-    auto sq = turning_crack(); sq.cracks[0].tip_radius = r; sq.cracks[0].points={{0.0,y},{0.46,y}};
-    sq.loaded = "bottom"; law.correct_direction=false;
-    try {
-    Evolution plain = sq.evolution(law, 4);
-    const Step f = first_growth(plain);
-    if (f.advances.empty()) break;
-    law.correct_direction=true;
-    Evolution c = sq.evolution(law, 4);
-    const Step g = first_growth(c);
-    sq.loaded = "";
-    Evolution d = sq.evolution(law, 4);
-    const Step h = first_growth(d);
-    std::printf("%g: %g %g | %g %g | %g %g\n", r, f.advances[0].point.x(), f.advances[0].point.y(), g.advances[0].point.x(), g.advances[0].point.y(), h.advances[0].point.x(), h.advances[0].point.y());
-    if ((g.advances[0].point-h.advances[0].point).norm()>1e-4) std::printf("FOUND\n");
-    } catch (std::exception& e) { std::printf("%s\n", e.what()); break; }
-  }
+  for (double y : {0.512, 0.537})
+    for (double r = 0.39; r < 0.45; r += 0.0004) {
+      auto sq = turning_crack();
+      sq.cracks[0].tip_radius = r;
+      sq.cracks[0].points = {{0.0, y}, {0.46, y}};
+      sq.loaded = "bottom";
+      law.correct_direction = false;
+      try {
+        Evolution plain = sq.evolution(law, 4);
+        const Step f = first_growth(plain);
+        if (f.advances.empty()) break;
+        law.correct_direction = true;
+        Evolution c = sq.evolution(law, 4);
+        const Step g = first_growth(c);
+        sq.loaded = "";
+        Evolution d = sq.evolution(law, 4);
+        const Step h = first_growth(d);
+        std::printf("%g: %g %g | %g %g | %g %g\n", r, f.advances[0].point.x(), f.advances[0].point.y(),
+                    g.advances[0].point.x(), g.advances[0].point.y(), h.advances[0].point.x(), h.advances[0].point.y());
+        if ((g.advances[0].point - h.advances[0].point).norm() > 1e-4) std::printf("FOUND\n");
+      } catch (std::exception& e) {
+        std::printf("%s\n", e.what());
+        break;
+      }
+    }
   square.loaded = "right";
-  law.correct_direction=false;
+  law.correct_direction = false;
   Evolution plain = square.evolution(law, 4);
   const Step first = first_growth(plain);
   law.correct_direction = true;
@@ -341,18 +349,18 @@ TEST(Evolution, ARestoredRunGoesOnBitForBit) {
     Record record;
     assembly::State state;
     solve::StepPlace place;
-    assembly::ContactRoom room;
+    assembly::ReservedCouplings reserved;
   };
   std::vector<Kept> kept;
   while (!whole.done()) {
     const auto& s = whole.stepper();
-    kept.push_back({whole.record(), s.state(), s.place(), s.assembler().room()});
+    kept.push_back({whole.record(), s.state(), s.place(), s.assembler().reserved_couplings()});
     ASSERT_EQ(whole.advance().index(), 0u);
   }
   ASSERT_GT(kept.size(), 8u);
   for (const auto& at : kept) {
     Evolution resumed = square.evolution(law, 6);
-    resumed.restore(at.record, at.state, at.place, at.room);
+    resumed.restore(at.record, at.state, at.place, at.reserved);
     ASSERT_FALSE(bodies::run(resumed).failure);
     EXPECT_EQ(resumed.stepper().state().displacement, whole.stepper().state().displacement) << "from " << at.state.load;
     EXPECT_EQ(resumed.stepper().place().number, whole.stepper().place().number);

@@ -1,12 +1,11 @@
 // Patches of bodies whose cracks grow.
-#include "cleft/assembly/patches.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "bodies.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/geometry/advance.hpp"
 #include "cleft/growth/transfer.hpp"
@@ -127,7 +126,7 @@ TEST_P(GrowingPatches, AreHandedOnWithTheMeanOfTheElasticVolumes) {
     EXPECT_NEAR(elastic_volume(s.after, s.handed, a), mean, 1e-14);
     EXPECT_NEAR(elastic_volume(s.after, s.handed, b), mean, 1e-14);
     EXPECT_EQ(plastic[a].accumulated, past[a_was].accumulated);
-    others += s.before.mate[a_was] != b_was;
+    others += s.before.f_bar_partner[a_was] != b_was;
   }
   if (GetParam().delaunay > 0.0) {
     EXPECT_GT(others, 0) << "the test must see cells with other partners";
@@ -151,7 +150,7 @@ TEST_P(GrowingPatches, KeepTheirPlasticVolumeTogetherAndWhatHasNotFlowed) {
   for (std::size_t c = 0; c < s.after.cells.size(); ++c) {
     const auto& state = s.handed.history.plastic[c];
     is += s.after.cells[c].area * plastic_volume(s.after, state);
-    const Index mate = s.after.mate[c];
+    const Index mate = s.after.f_bar_partner[c];
     if (state.accumulated == 0.0 && (mate == kNone || s.handed.history.plastic[mate].accumulated == 0.0)) {
       EXPECT_EQ(state, constitutive::PlasticState{});
     }
@@ -176,7 +175,7 @@ Pairs pairs_of(const Model& m) {
   };
   Pairs out;
   for (Index c = 0; c < static_cast<Index>(m.cells.size()); ++c)
-    if (m.mate[c] != kNone) out[name(c)] = name(m.mate[c]);
+    if (m.f_bar_partner[c] != kNone) out[name(c)] = name(m.f_bar_partner[c]);
   return out;
 }
 

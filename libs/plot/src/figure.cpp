@@ -69,7 +69,7 @@ std::string base_line(const Figure& f) {
 
 // Room for the legend below the plot: a row takes as many titles as fit, and gnuplot leaves out what does not fit at
 // all.
-void make_room(const Figure& f, Drawing& d) {
+void reserve_couplings(const Figure& f, Drawing& d) {
   constexpr int kPlot = 400, kRow = 17, kLetter = 8, kSample = 50;
   std::size_t longest = 0, titles = 0;
   for (const auto& c : f.curves) {
@@ -137,7 +137,7 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
       plot += fmt::format("{}$curve{} {}", plot.empty() ? "plot " : ", \\\n  ", k, style_of(f.curves[k], k));
   }
   Drawing d{name, s + (plot.empty() ? kNothing : plot) + "\n"};
-  make_room(f, d);
+  reserve_couplings(f, d);
   return d;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "boundaries.hpp"
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/problem/tip_reach.hpp"
 #include "contact.hpp"
 #include "dead_loads.hpp"
@@ -45,7 +45,7 @@ assembly::Model discretise(const LocalSpecification& local, geometry::Mesh mesh,
   m.cracks = std::move(cracks);
   enrich(scene, m);
   fill_with_materials(scene, m);
-  if (scene.f_bar) m.mate = assembly::pair_cells(m);
+  if (scene.f_bar) m.f_bar_partner = assembly::pair_cells(m);
   if (!scene.cracks.empty()) set_up_contact(scene, earlier, m);
   prescribe(scene, m);
   add_dead_loads(scene, m);

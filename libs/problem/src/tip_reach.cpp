@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cleft/assembly/material_places.hpp"
+#include "cleft/assembly/material_point_geometry.hpp"
 #include "cleft/geometry/advance.hpp"
 
 namespace cleft::problem {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/assembly/stress.hpp"
 #include "cleft/results/field_output.hpp"
 

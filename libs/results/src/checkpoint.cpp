@@ -174,7 +174,7 @@ void pass(Io& io, Checkpoint& c) {
   pass(io, c.scene);
   pass(io, c.state);
   pass(io, c.place);
-  pass(io, c.room, [&](std::vector<Index>& faces) { pass(io, faces, io); });
+  pass(io, c.reserved, [&](std::vector<Index>& faces) { pass(io, faces, io); });
   pass(io, c.growth);
   pass(io, c.counts);
   c.counts.increments = c.place.number;

@@ -24,7 +24,7 @@ Checkpoint example() {
   c.place.plateau = {0.5, 2.0, 1.0};
   c.state.progress = VecX::LinSpaced(10, 1.0, 2.0);
   c.counts.jumps = {2, 0.4};
-  c.room = {{1, 2, 3}, {}, {4}};
+  c.reserved = {{1, 2, 3}, {}, {4}};
   c.counts.iterations = 21;
   c.log_bytes = {{"history.csv", 1234}, {"newton.csv", 99}};
   c.outputs = {{0.25, 0, "fields_0000.vtu"}};
@@ -52,7 +52,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
   EXPECT_EQ(back.counts.jumps.load, 0.4);
   EXPECT_EQ(back.counts.iterations, 21);
   EXPECT_EQ(back.counts.increments, 7) << "as many as the place has";
-  EXPECT_EQ(back.room, c.room);
+  EXPECT_EQ(back.reserved, c.reserved);
   EXPECT_EQ(back.log_bytes, c.log_bytes);
   EXPECT_EQ(back.outputs[0].file, "fields_0000.vtu");
 }

@@ -78,7 +78,7 @@ void Run::open() {
   for (const auto& note : notes_) say(note);
   evolution_.emplace(scene_, std::move(model));
   if (kept) {
-    evolution_->restore(kept->growth, kept->state, kept->place, kept->room);
+    evolution_->restore(kept->growth, kept->state, kept->place, kept->reserved);
     counts_ = kept->counts;
     seconds_.before = kept->seconds;
   }
@@ -156,7 +156,7 @@ void Run::keep(const results::Counts& counts) {
   const results::Checkpoint now{solved_json_,
                                 stepper.state(),
                                 stepper.place(),
-                                stepper.assembler().room(),
+                                stepper.assembler().reserved_couplings(),
                                 evolution_->record(),
                                 counts,
                                 seconds_.before + clock_.seconds(),

@@ -42,10 +42,10 @@ LoadStepper::LoadStepper(const assembly::Model& model, StepControls controls)
                          [&](double kink) { return turns_back(model_, constraints_, kink); });
 }
 
-void LoadStepper::restore(assembly::State state, StepPlace place, std::optional<assembly::ContactRoom> room) {
+void LoadStepper::restore(assembly::State state, StepPlace place, std::optional<assembly::ReservedCouplings> reserved) {
   state_ = std::move(state);
   place_ = place;
-  if (room) assembler_.set_room(std::move(*room));
+  if (reserved) assembler_.reserve(std::move(*reserved));
 }
 
 Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {

@@ -376,7 +376,7 @@ TEST(LoadStepper, ARestoredRunGoesOnBitForBit) {
   while (stepper.state().load < 0.9) {
     ASSERT_NO_FATAL_FAILURE(advance_to(stepper, stepper.state().load + 0.02));
     LoadStepper resumed(model, {});
-    resumed.restore(stepper.state(), stepper.place(), stepper.assembler().room());
+    resumed.restore(stepper.state(), stepper.place(), stepper.assembler().reserved_couplings());
     const long pattern = stepper.assembler().pattern_version();
     for (int k = 0; k < 2; ++k) {
       const auto one = stepper.advance(), two = resumed.advance();

@@ -1,6 +1,4 @@
 // Patches of two cells.
-#include "cleft/assembly/patches.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <map>
 
 #include "cleft/assembly/assembler.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/geometry/delaunay.hpp"
 #include "small_models.hpp"
 
@@ -16,7 +15,7 @@ namespace {
 
 assembly::Model patched_block(geometry::Diagonal diagonal) {
   assembly::Model m = models::block(8, contact::NegativeSide::Left, diagonal);
-  m.mate = pair_cells(m);
+  m.f_bar_partner = pair_cells(m);
   return m;
 }
 
@@ -25,12 +24,12 @@ TEST(Patches, AreTheRectanglesAndWhatACrackLeavesOfThem) {
     const assembly::Model m = patched_block(diagonal);
     std::size_t singles = 0;
     for (std::size_t c = 0; c < m.cells.size(); ++c) {
-      if (m.mate[c] == kNone) {
+      if (m.f_bar_partner[c] == kNone) {
         ++singles;
         continue;
       }
-      const auto other = static_cast<std::size_t>(m.mate[c]);
-      EXPECT_EQ(m.mate[other], static_cast<Index>(c));
+      const auto other = static_cast<std::size_t>(m.f_bar_partner[c]);
+      EXPECT_EQ(m.f_bar_partner[other], static_cast<Index>(c));
       EXPECT_NE(other, c);
       const auto &own = m.cells[c], &mate = m.cells[other];
       if (own.cut == kNone && mate.cut == kNone) {
@@ -93,14 +92,14 @@ assembly::Model delaunay_square(double size, const Vec2& corner = Vec2::Zero()) 
   m.mesh = geometry::delaunay_mesh(geometry::box_outline({0, 0, 1, 1}), {size, 0.25, {}});
   for (Vec2& node : m.mesh.nodes) node += corner;
   models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
-  m.mate = pair_cells(m);
+  m.f_bar_partner = pair_cells(m);
   return m;
 }
 
 TEST(Patches, HoldSevenOfEightTrianglesOfADelaunayMesh) {
   for (const double size : {0.1, 0.05, 0.02}) {
     const assembly::Model m = delaunay_square(size);
-    const auto single = static_cast<double>(std::ranges::count(m.mate, kNone)),
+    const auto single = static_cast<double>(std::ranges::count(m.f_bar_partner, kNone)),
                all = static_cast<double>(m.cells.size());
     EXPECT_NEAR(single / all, 0.125, 0.02) << size;
   }
@@ -163,7 +162,7 @@ TEST(Patches, ForcesAreTheSlopeOfTheEnergyAndTheMatrixIsTheirs) {
     assembly::Model m = models::block(4, contact::NegativeSide::Left);
     m.materials = {material};
     m.surfaces = {};
-    m.mate = pair_cells(m);
+    m.f_bar_partner = pair_cells(m);
     VecX u(m.unknowns.components());
     for (Eigen::Index k = 0; k < u.size(); ++k) u[k] = 1e-3 * std::sin(1.7 * static_cast<double>(k));
     assembly::Assembler assembler(m);
@@ -198,12 +197,12 @@ TEST(Patches, ShareTheirVolumeAndKeepTheirShape) {
     int patches = 0;
     for (Index c = 0; c < static_cast<Index>(m.cells.size()); ++c) {
       const Mat2 F = deformation(m, c, u), bar = material_deformation(m, c, u);
-      if (m.mate[c] == kNone) {
+      if (m.f_bar_partner[c] == kNone) {
         EXPECT_EQ(F, bar);
         continue;
       }
       ++patches;
-      const Index other = m.mate[c];
+      const Index other = m.f_bar_partner[c];
       const Mat2 G = deformation(m, other, u), other_bar = material_deformation(m, other, u);
       const double areas = m.cells[c].area + m.cells[other].area;
       const auto volume = [&](const Mat2& x) { return small ? x.trace() : det(x); };
@@ -240,7 +239,7 @@ TEST(Patches, DoNotSeeHowTheBodyIsTurned) {
     m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {3, 4}, geometry::Diagonal::Right);
     models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
     m.materials = {material};
-    m.mate = pair_cells(m);
+    m.f_bar_partner = pair_cells(m);
     Mat2 R;
     R << std::cos(0.7), -std::sin(0.7), std::sin(0.7), std::cos(0.7);
     VecX u(m.unknowns.components()), turned(u.size());

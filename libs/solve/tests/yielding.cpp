@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/solve/stepping.hpp"
 #include "small_models.hpp"
 
@@ -20,7 +20,7 @@ assembly::Model block_of(const assembly::Material& material, int cells = 8, Nega
   assembly::Model model = models::block(cells, side);
   model.materials = {material};
   model.surfaces.undeformed = model.is_small_strain();
-  if (patches) model.mate = pair_cells(model);
+  if (patches) model.f_bar_partner = pair_cells(model);
   return model;
 }
 
@@ -124,7 +124,7 @@ void Yielding::expect_to_go_on_when_restored() {
   LoadStepper stepper(model, {});
   ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.5));
   LoadStepper resumed(model, {});
-  resumed.restore(stepper.state(), stepper.place(), stepper.assembler().room());
+  resumed.restore(stepper.state(), stepper.place(), stepper.assembler().reserved_couplings());
   ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.6));
   ASSERT_NO_FATAL_FAILURE(advance(resumed, 0.6));
   EXPECT_TRUE((stepper.state().displacement.array() == resumed.state().displacement.array()).all());
@@ -141,7 +141,7 @@ TEST_P(Yielding, AnIncrementThatFailsLeavesNoTrace) {
   ASSERT_NO_FATAL_FAILURE(advance(stepper, 0.5));
   const assembly::State before = stepper.state();
   assembly::Assembler assembler(model);
-  assembler.set_room(stepper.assembler().room());
+  assembler.reserve(stepper.assembler().reserved_couplings());
   LinearSolver solver(Factorisation::Unsymmetric);
   NewtonControls once;
   once.max_iterations = 1;
@@ -149,7 +149,7 @@ TEST_P(Yielding, AnIncrementThatFailsLeavesNoTrace) {
   ASSERT_FALSE(assembler.assemble(before.displacement, before.history));
   const VecX force = assembler.internal_force();
   assembly::Assembler fresh(model);
-  fresh.set_room(stepper.assembler().room());
+  fresh.reserve(stepper.assembler().reserved_couplings());
   ASSERT_FALSE(fresh.assemble(before.displacement, before.history));
   EXPECT_TRUE((force.array() == fresh.internal_force().array()).all());
 }
@@ -192,7 +192,7 @@ TEST(Linear, SymmetricFactorisationGoesWithAssociatedFlow) {
   EXPECT_EQ(LoadStepper::factorisation_for(block_of(constitutive::LinearElastic{kElastic})),
             Factorisation::Unsymmetric);
   assembly::Model patches = plain(constitutive::FinitePlastic{associated});
-  patches.mate = pair_cells(patches);
+  patches.f_bar_partner = pair_cells(patches);
   EXPECT_EQ(LoadStepper::factorisation_for(patches), Factorisation::Symmetric);
 }
 
@@ -202,7 +202,7 @@ TEST(Linear, PatchesOfAssociatedFlowHaveASymmetricMatrix) {
     const constitutive::DruckerPrager cone{kElastic, 8e8, 0.7, 0.7, 0.0};
     assembly::Model model =
         plain(small ? assembly::Material(constitutive::SmallPlastic{cone}) : constitutive::FinitePlastic{cone});
-    model.mate = pair_cells(model);
+    model.f_bar_partner = pair_cells(model);
     LoadStepper stepper(model, {});
     while (!stepper.done()) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
     const assembly::State& state = stepper.state();

@@ -18,7 +18,7 @@ constexpr double kFaint = 1e-3;
 assembly::Model without_bulk(const assembly::Model& model) {
   assembly::Model out = model;
   out.cells.clear();
-  out.mate.clear();
+  out.f_bar_partner.clear();
   out.tip_points.clear();
   out.surfaces.multiplier_space = {};
   out.surfaces.mortar.clear();

@@ -12,7 +12,7 @@ std::vector<TornBody::Piece> TornBody::pieces_of(const assembly::Model& model) {
   for (const auto& patch : assembly::patches_of(model))
     out.push_back({{patch.cell[0], patch.cell[1]}, {patch.unknown.begin(), patch.unknown.end()}});
   for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
-    if (const auto& unknown = model.cells[c].unknown; model.mate.empty() || model.mate[c] == kNone)
+    if (const auto& unknown = model.cells[c].unknown; model.f_bar_partner.empty() || model.f_bar_partner[c] == kNone)
       out.push_back({{c}, {unknown.begin(), unknown.end()}});
   Index next = 0;
   for (auto& piece : out) {
@@ -29,7 +29,7 @@ assembly::Model TornBody::torn(const assembly::Model& model, const std::vector<P
   out.material_of = model.material_of;
   if (!out.material_of.empty()) out.material_of.resize(model.cells.size());
   out.cells = model.cells;
-  out.mate = model.mate;
+  out.f_bar_partner = model.f_bar_partner;
   for (const auto& piece : pieces)
     for (const Index c : piece.cells)
       for (Index& unknown : out.cells[c].unknown)

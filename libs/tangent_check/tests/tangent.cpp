@@ -127,7 +127,7 @@ TEST(CheckTangent, JudgesPatchesAsOnePiece) {
     TangentReport report = block.along_the_run(3);
     EXPECT_LT(report.worst(), 1e-7) << scene;
     EXPECT_TRUE(report.enough());
-    const auto& mate = block.model().mate;
+    const auto& mate = block.model().f_bar_partner;
     const long singles = std::ranges::count(mate, kNone), cells = static_cast<long>(mate.size());
     long alone = 0, pairs = 0;
     for (const char* side : {"", " left", " right"}) {

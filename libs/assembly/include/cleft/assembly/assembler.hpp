@@ -5,15 +5,15 @@
 #include <optional>
 
 #include "cleft/assembly/block_matrix.hpp"
+#include "cleft/assembly/f_bar.hpp"
 #include "cleft/assembly/failure.hpp"
-#include "cleft/assembly/patches.hpp"
 #include "cleft/assembly/state.hpp"
 #include "cleft/contact/search.hpp"
 
 namespace cleft::assembly {
 
 /// Which positive faces each negative face has room for in the matrix's pattern: ascending face numbers, per face.
-using ContactRoom = std::vector<std::vector<Index>>;
+using ReservedCouplings = std::vector<std::vector<Index>>;
 
 struct AssemblySeconds {
   double bulk = 0.0, contact = 0.0, pattern = 0.0;
@@ -48,9 +48,9 @@ class Assembler {
   /// Counts how often the pattern was built: the linear solver must analyse anew when it changes.
   long pattern_version() const { return version_; }
 
-  const ContactRoom& room() const { return room_; }
+  const ReservedCouplings& reserved_couplings() const { return reserved_; }
   /// Restores the pattern of a resumed run.
-  void set_room(ContactRoom room);
+  void reserve(ReservedCouplings reserved);
 
   const AssemblySeconds& seconds() const { return seconds_; }
 
@@ -71,8 +71,8 @@ class Assembler {
   const std::vector<BlockMatrix::Place>& places_of(Index strip, Index face);
 
   void build_pattern();
-  void make_room(const History& history);
-  bool has_room(const History& history) const;
+  void reserve_couplings(const History& history);
+  bool has_couplings(const History& history) const;
   void find_contact(const VecX& displacement, const History& history, contact::Conditions conditions);
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
@@ -109,7 +109,7 @@ class Assembler {
   std::vector<Places<4>> patch_places_;
   std::vector<Places<7>> tip_places_;            // of the tips' points
   std::vector<std::vector<Opposite>> opposite_;  // per strip of the hats, those met since the pattern was built
-  ContactRoom room_;
+  ReservedCouplings reserved_;
   long version_ = 0;
   AssemblySeconds seconds_;
 };

@@ -45,7 +45,7 @@ struct Model {
   std::vector<enrichment::Cell> cells;
   std::vector<enrichment::TipPoint> tip_points;  ///< of the triangles in the balls of tips, which have no cells
   std::vector<enrichment::GhostTie> ties;        ///< where cuts are small
-  std::vector<Index> mate;                       ///< of each cell, in a patch (patches.hpp); empty without patches
+  std::vector<Index> f_bar_partner;              ///< of each cell, in a patch (f_bar.hpp); empty without patches
   contact::Surfaces surfaces;                    ///< no faces where the scene has no crack
   std::vector<Material> materials;               ///< at least one; strains are small in all of them or in none
   std::vector<Index> material_of;  ///< of each material point, its number in `materials`; empty where there is one

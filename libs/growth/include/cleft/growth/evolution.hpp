@@ -90,7 +90,7 @@ class Evolution {
   solve::SolverSeconds solver_seconds() const;
 
   /// Goes on from what an earlier run kept.
-  void restore(Record record, assembly::State state, solve::StepPlace place, assembly::ContactRoom room);
+  void restore(Record record, assembly::State state, solve::StepPlace place, assembly::ReservedCouplings reserved);
 
  private:
   struct Judged {

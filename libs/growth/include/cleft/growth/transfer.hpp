@@ -17,7 +17,7 @@ namespace cleft::growth {
 ///   mean is that of ln C^p^-1 (FinitePlastic::mean). Points in the ball of a tip are spread over the triangle of the
 ///   quadrature that they stand for. Triangles whose parts stay, and both sides of one that was whole, keep their
 ///   history to the last bit. The mean may lie beyond yield, which the balance after it mends. Bodies
-///   with patches (assembly/patches.hpp) keep elastic volumes and not plastic ones, theory (10.11), since cells may
+///   with patches (assembly/f_bar.hpp) keep elastic volumes and not plastic ones, theory (10.11), since cells may
 ///   have other partners than before: so pressures stay, nothing makes energy, and histories are kept to rounding.
 /// - Contact points on old faces keep their memory and their anchors, by crack, side and arc length; those on new faces
 ///   are anchored at the point opposite and free of stress.

@@ -15,7 +15,7 @@ struct Checkpoint {
   std::string scene;  ///< what was solved, as the text that it was given; a run goes on with the same only
   assembly::State state;
   solve::StepPlace place;
-  assembly::ContactRoom room;
+  assembly::ReservedCouplings reserved;
   growth::Record growth;
   Counts counts;  ///< without the orders
   double seconds = 0.0;

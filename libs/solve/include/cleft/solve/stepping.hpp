@@ -123,7 +123,7 @@ class LoadStepper {
   StepPlace place() const { return place_; }
 
   /// Goes on from what an earlier run kept; without a room for the contact's partners, with the one at rest.
-  void restore(assembly::State state, StepPlace place, std::optional<assembly::ContactRoom> room = {});
+  void restore(assembly::State state, StepPlace place, std::optional<assembly::ReservedCouplings> reserved = {});
 
   /// Force on the body (N/m) through each prescribed boundary of the model, in its order; what holds a node that
   /// several prescribe is divided among them (reactions.hpp).

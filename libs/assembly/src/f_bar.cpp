@@ -1,4 +1,4 @@
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,10 +110,10 @@ std::vector<Index> pair_cells(const Model& model) {
 
 std::vector<Patch> patches_of(const Model& model) {
   std::vector<Patch> out;
-  for (Index c = 0; c < static_cast<Index>(model.mate.size()); ++c) {
-    if (model.mate[c] <= c) continue;  // kNone is below every cell
-    const auto &first = model.cells[c].unknown, &second = model.cells[model.mate[c]].unknown;
-    Patch patch{{c, model.mate[c]}, {first[0], first[1], first[2], kNone}, {{{0, 1, 2}, {}}}};
+  for (Index c = 0; c < static_cast<Index>(model.f_bar_partner.size()); ++c) {
+    if (model.f_bar_partner[c] <= c) continue;  // kNone is below every cell
+    const auto &first = model.cells[c].unknown, &second = model.cells[model.f_bar_partner[c]].unknown;
+    Patch patch{{c, model.f_bar_partner[c]}, {first[0], first[1], first[2], kNone}, {{{0, 1, 2}, {}}}};
     for (int k = 0; k < 3; ++k) {
       const auto at = std::ranges::find(first, second[k]) - first.begin();
       patch.position[1][k] = static_cast<int>(at);
@@ -146,9 +146,10 @@ DeformedPatch deformed(const Model& model, const OfPatch<Index>& cells, const Ve
 }
 
 Mat2 material_deformation(const Model& model, Index number, const VecX& displacement) {
-  const bool cell = number < static_cast<Index>(model.mate.size());
-  return cell && model.mate[number] != kNone ? deformed(model, {number, model.mate[number]}, displacement).strained[0]
-                                             : deformation(model, number, displacement);
+  const bool cell = number < static_cast<Index>(model.f_bar_partner.size());
+  return cell && model.f_bar_partner[number] != kNone
+             ? deformed(model, {number, model.f_bar_partner[number]}, displacement).strained[0]
+             : deformation(model, number, displacement);
 }
 
 constitutive::PatchPast past_of(const OfPatch<double>& share, const OfPatch<Index>& cells,

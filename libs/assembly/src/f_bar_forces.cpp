@@ -1,4 +1,4 @@
-#include "patch_forces.hpp"
+#include "f_bar_forces.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "cleft/assembly/material_places.hpp"
+#include "cleft/assembly/material_point_geometry.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 /// Nodal forces of a patch and their derivative.
 #pragma once
 
-#include "cleft/assembly/patches.hpp"
+#include "cleft/assembly/f_bar.hpp"
 
 namespace cleft::assembly {
 
