@@ -22,8 +22,8 @@ const char* name_of(FailureKind kind) {
       return "Plateau";
     case FailureKind::Wanders:
       return "Wanders";
-    case FailureKind::ContactLost:
-      return "ContactLost";
+    case FailureKind::Tunnelling:
+      return "Tunnelling";
     case FailureKind::Refused:
       return "Refused";
   }

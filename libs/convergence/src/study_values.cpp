@@ -17,7 +17,7 @@ namespace {
 using scene::Quantity;
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr double kSameLoad = 1e-9;
+constexpr double kAtTheLoad = 1e-9;
 
 nlohmann::json run_json(const StudyRun& run) {
   return nlohmann::json::parse(results::read_bytes(run.folder + "/run.json"));
@@ -27,7 +27,7 @@ double history_value(const StudyRun& run, const Quantity& q) {
   const auto table = results::read_csv(run.folder + "/history.csv");
   const auto loads = table.column("load");
   for (std::size_t k = loads.size(); k-- > 0;)  // the last state at a load: cracks may grow there
-    if (std::fabs(loads[k] - q.load) < kSameLoad) return table.column(q.column)[k];
+    if (std::fabs(loads[k] - q.load) < kAtTheLoad) return table.column(q.column)[k];
   throw std::runtime_error(fmt::format("{}: no row at load {}", run.folder, q.load));
 }
 
@@ -57,7 +57,7 @@ Curve curve_of(const std::string& path, const Quantity& q) {
     const auto loads = table.column("load");
     std::size_t kept = 0;
     for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::fabs(loads[k] - q.load) < kSameLoad) table.rows[kept++] = table.rows[k];
+      if (std::fabs(loads[k] - q.load) < kAtTheLoad) table.rows[kept++] = table.rows[k];
     table.rows.resize(kept);
     keep_last_step(table);
   }

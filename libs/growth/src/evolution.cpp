@@ -206,7 +206,7 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
   out.stepper = std::make_unique<solve::LoadStepper>(*out.model, controls_);
   out.origin = transfer(*model_, stepper_->state(), *out.model);
   out.stepper->restore(out.origin, stepper_->place());
-  auto outcome = out.stepper->settle(observer);
+  auto outcome = out.stepper->equilibrate(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) {
     failure->grown = grown_tips(out.advances);
     return std::move(*failure);

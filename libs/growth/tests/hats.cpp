@@ -89,7 +89,7 @@ TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) 
 
   solve::LoadStepper stepper(longer, bodies::in_steps(4));
   stepper.restore(state, {});
-  EXPECT_EQ(stepper.settle().index(), 0u);
+  EXPECT_EQ(stepper.equilibrate().index(), 0u);
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ template <class Io>
 void pass(Io& io, solve::StepPlace& place) {
   io(place.number);
   io(place.step);
-  io(place.stretch);
+  io(place.arc_increment);
   io(place.furthest);
   io(place.longest);
   io(place.plateau);

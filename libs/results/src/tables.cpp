@@ -167,7 +167,7 @@ Table<NewtonRow> newton_table() {
           {"assembly_seconds", [](R r) { return r.iteration.assembly_seconds; }},
           {"rounding", [](R r) { return r.iteration.rounding; }},
           {"gradient", [](R r) { return r.iteration.gradient; }},
-          {"chatters", [](R r) { return static_cast<int>(r.iteration.chatters); }},
+          {"chatters", [](R r) { return static_cast<int>(r.iteration.cycles); }},
           {"kept", [](R r) { return static_cast<int>(r.iteration.kept); }}};
 }
 

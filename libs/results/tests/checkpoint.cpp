@@ -17,7 +17,7 @@ Checkpoint example() {
   c.state.energies.elastic = 5.0;
   c.place.number = 7;
   c.place.step = 0.01;
-  c.place.stretch = 1.5;
+  c.place.arc_increment = 1.5;
   c.place.furthest = 0.6;
   c.place.longest = 0.25;
   c.place.wandered = 11;
@@ -41,7 +41,7 @@ TEST(Checkpoint, ComesBackBitForBit) {
   EXPECT_EQ(back.state.history.plastic[0].deformation, c.state.history.plastic[0].deformation);
   EXPECT_EQ(back.state.history.plastic[0].accumulated, 0.02);
   EXPECT_EQ(back.state.progress, c.state.progress);
-  EXPECT_EQ(back.place.stretch, 1.5);
+  EXPECT_EQ(back.place.arc_increment, 1.5);
   EXPECT_EQ(back.place.furthest, 0.6);
   EXPECT_EQ(back.place.longest, 0.25);
   EXPECT_EQ(back.place.wandered, 11);

@@ -31,7 +31,7 @@ const char* what_happened(FailureKind kind) {
       return "the path wanders among loads that it has passed";
     case FailureKind::Plateau:
       return "plateau: the body flows or slides on and bears no more";
-    case FailureKind::ContactLost:
+    case FailureKind::Tunnelling:
       return "faces in contact have passed through each other unseen";
     case FailureKind::Refused:
       return "the cracks that have grown cannot be cut";

@@ -70,7 +70,7 @@ std::vector<Words> all() {
       {{Wanders, PathEnd{0.5, 1001}},
        "the path wanders among loads that it has passed, no load above 0.5 in 1001 increments",
        "an imperfection where another path branches off, hardening, or other increments (loading.steps)"},
-      {{ContactLost, PassedPoint{{0.01, 0.02}, 0, 1e-3}},
+      {{Tunnelling, PassedPoint{{0.01, 0.02}, 0, 1e-3}},
        "faces in contact have passed through each other unseen, the contact point at (0.01, 0.02) of crack 'main' "
        "lies 0.001 m deep in the other side",
        "no solver.search_radius of your own, smaller increments (loading.steps), or a stiffer penalty"},

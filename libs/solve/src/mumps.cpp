@@ -5,8 +5,8 @@
 #include <new>
 
 #include "cleft/support/timer.hpp"
-#include "dissection.hpp"
 #include "factors.hpp"
+#include "nested_dissection.hpp"
 
 namespace cleft::solve {
 namespace {

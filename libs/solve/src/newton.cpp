@@ -40,7 +40,7 @@ Increment NewtonIteration::run() {
     const Balance balance = weigh(it);
     if (auto failure = balance.resolution.refuse_springs(balance.residual)) return failed(std::move(*failure));
     if (const Verdict verdict = judge(it, balance); verdict != Verdict::Continue) return finish(it, balance, verdict);
-    if (diverges(it, balance)) return failed(unbalanced(model_, it, number_, rhs_, chatter_.halved()));
+    if (diverges(it, balance)) return failed(unbalanced(model_, it, number_, rhs_, cycling_.halved()));
     if (auto failure = step(it)) return failed(std::move(*failure));
     out_.iterations.push_back(it);
     if (problem_.observer) problem_.observer(number_ + 1, it);
@@ -49,13 +49,13 @@ Increment NewtonIteration::run() {
 
 void NewtonIteration::begin() {
   const auto& constraints = problem_.constraints;
-  out_.load = along_path() ? state_.load + goal_.stretch * (state_.load - state_.previous_load) : goal_.load;
+  out_.load = along_path() ? state_.load + goal_.arc_increment * (state_.load - state_.previous_load) : goal_.load;
   wanted_ = prescription(model_, constraints, out_.load);
   if (goal_.held) wanted_.dead += *goal_.held;
   VecX& u = out_.displacement;
   u = state_.displacement;
   if (along_path()) {
-    u += goal_.stretch * (state_.displacement - state_.previous_displacement);
+    u += goal_.arc_increment * (state_.displacement - state_.previous_displacement);
   } else if (goal_.guess) {
     u = *goal_.guess;
   } else if (problem_.controls.extrapolate) {
@@ -123,8 +123,8 @@ bool NewtonIteration::diverges(const Iteration& it, const Balance& balance) {
   last_residual_ = balance.residual;
   if (number_ <= 1)  // a body at rest is in balance before it is moved
     first_residual_ = std::max(first_residual_, balance.residual);
-  chatter_.look_at(number_, it, returns_);
-  return chatter_.is_over() ||
+  cycling_.look_at(number_, it, returns_);
+  return cycling_.is_over() ||
          (number_ > kMayOvershoot && balance.residual > kDiverges * (first_residual_ + balance.floor));
 }
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "active_set.hpp"
+#include "active_set_cycling.hpp"
 #include "bordered.hpp"
-#include "chatter.hpp"
 #include "prescription.hpp"
 #include "rounding.hpp"
 
@@ -30,7 +30,7 @@ class NewtonIteration {
         model_(problem.model),
         state_(problem.state),
         assembler_(problem.assembler),
-        chatter_(problem.controls.max_iterations) {}
+        cycling_(problem.controls.max_iterations) {}
 
   Increment run();
 
@@ -50,7 +50,7 @@ class NewtonIteration {
   void move(const Correction& correction);
   void record(Iteration& it, const VecX& du);
 
-  bool along_path() const { return goal_.stretch > 0.0; }
+  bool along_path() const { return goal_.arc_increment > 0.0; }
   bool is_boundary_in_place() const { return change_.size() == 0 || change_.cwiseAbs().maxCoeff() == 0.0; }
   Increment failed(assembly::Failure failure) {
     out_.failure = std::move(failure);
@@ -70,7 +70,7 @@ class NewtonIteration {
   double reach_ = 0.0;   // metres, that a part may move
   int number_ = 0;       // of corrections so far
   ActiveSet active_;
-  Chatter chatter_;
+  ActiveSetCycling cycling_;
   bool returns_ = false;     // to an active set of this increment
   bool parts_held_ = false;  // in some correction
   double first_residual_ = 0.0, last_residual_ = std::numeric_limits<double>::infinity();

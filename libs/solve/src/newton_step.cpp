@@ -82,7 +82,7 @@ std::optional<assembly::Failure> NewtonIteration::solve_linear(const VecX& by_lo
     correction.displacement.setZero(rhs_.size());
     correction += system.solve(rhs_);
     if (along_path())
-      correction += system.go_on(goal_.stretch - state_.progress.dot(out_.displacement - state_.displacement));
+      correction += system.go_on(goal_.arc_increment - state_.progress.dot(out_.displacement - state_.displacement));
   }
   it.factor_seconds = total(problem_.solver.seconds()) - before;
   if (factors == Factors::Regular && correction.displacement.allFinite() &&
@@ -100,7 +100,7 @@ std::optional<assembly::Failure> NewtonIteration::solve_linear(const VecX& by_lo
 // Where the contact does not settle by itself. What solves that of the hats beside the correction is taken unless a
 // part that they let go would fly away.
 void NewtonIteration::settle_contact(const Bordered& system, Iteration& it, Correction& correction) {
-  if (chatter_.struggles() && active_.multipliers_change()) {
+  if (cycling_.struggles() && active_.multipliers_change()) {
     const auto more =
         contact_step(model_, state_.history, out_.displacement, correction.displacement, assembler_, system);
     if (more && more->displacement.allFinite() &&
@@ -109,10 +109,10 @@ void NewtonIteration::settle_contact(const Bordered& system, Iteration& it, Corr
       return;
     }
   }
-  if (!chatter_.halves()) return;
+  if (!cycling_.halves()) return;
   correction.displacement *= 0.5;
   correction.load *= 0.5;
-  it.chatters = true;
+  it.cycles = true;
 }
 
 void NewtonIteration::move(const Correction& correction) {

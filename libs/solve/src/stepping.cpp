@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "arc_length.hpp"
 #include "commit.hpp"
 #include "flow.hpp"
-#include "path.hpp"
 #include "prescription.hpp"
 #include "targets.hpp"
 
@@ -49,7 +49,7 @@ void LoadStepper::restore(assembly::State state, StepPlace place, std::optional<
 }
 
 Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer) {
-  state_.history.duration = goal.stretch > 0.0 ? constitutive::kForever : goal.load - state_.load;
+  state_.history.duration = goal.arc_increment > 0.0 ? constitutive::kForever : goal.load - state_.load;
   NewtonControls newton = controls_.newton;
   newton.extrapolate = newton.extrapolate && !turns_at(controls_, state_.load);
   const auto once = [&] {
@@ -70,7 +70,7 @@ void LoadStepper::go_back_to(const Committed& before) {
 
 // What ends the run: the failure of the last attempt and how small that was.
 assembly::Failure LoadStepper::given_up(assembly::Failure failure, double load, double size) const {
-  if (place_.stretch > 0.0)
+  if (place_.arc_increment > 0.0)
     failure.attempt =
         assembly::LastArc{state_.load, place_.furthest, size * last_motion(model_, state_) / place_.longest};
   else
@@ -90,7 +90,7 @@ bool LoadStepper::try_again(double taken, Tries& tries) {
 
 // Commits an increment unless it is inaccurate or has jumped; then what is to be tried instead is known.
 std::optional<Step> LoadStepper::keep(const Increment& increment, double flow, Tries& tries) {
-  const bool along_path = place_.stretch > 0.0, guarded = tries.led || (!tries.believes && is_guarded());
+  const bool along_path = place_.arc_increment > 0.0, guarded = tries.led || (!tries.believes && is_guarded());
   const auto before = guarded ? std::optional(Committed{state_, place_, pairs_}) : std::nullopt;
   const assembly::Energies energies = state_.energies;
   const Effort effort = effort_of(increment, flow, tries);
@@ -124,8 +124,8 @@ LoadStepper::Tries LoadStepper::first_try(const Event& event) {
 
 LoadStepper::Attempt LoadStepper::attempt(const Tries& tries, const IterationObserver& observer) {
   const double end = next_end(tries.before);
-  Attempt out{.along_path = place_.stretch > 0.0, .taken = end - state_.load};
-  out.size = out.along_path ? place_.stretch : out.taken;
+  Attempt out{.along_path = place_.arc_increment > 0.0, .taken = end - state_.load};
+  out.size = out.along_path ? place_.arc_increment : out.taken;
   out.increment = out.along_path ? try_path(observer) : solve({end}, observer);
   if (!out.increment.failure) out.increment.failure = refuse(out.increment);
   if (!out.increment.failure && !out.along_path)
@@ -160,7 +160,8 @@ std::variant<Step, assembly::Failure> LoadStepper::advance(const IterationObserv
     if (increment.failure) return given_up(*increment.failure, increment.load, tried.size);
     if (tried.along_path && !(increment.load > lowest())) return led_back();
     if (is_too_long(tried, event, tries)) continue;
-    const bool is_output = has_near(controls_.outputs, increment.load, kSameLoad) && increment.load > place_.furthest;
+    const bool is_output =
+        has_near(controls_.outputs, increment.load, kLoadResolution) && increment.load > place_.furthest;
     if (auto out = keep(increment, tried.flow, tries)) {
       out->is_output = is_output;
       out->cuts = tries.cuts;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "arc_length.hpp"
 #include "cleft/solve/stepping.hpp"
-#include "path.hpp"
 #include "targets.hpp"
 #include "work_error.hpp"
 
@@ -31,14 +31,14 @@ double LoadStepper::next_mark() const { return first_beyond(marks_, place_.furth
 
 // After a failure: false where there is nothing shorter to try.
 bool LoadStepper::shorten(double taken, double least) {
-  if (place_.stretch > 0.0) {
-    place_.stretch *= 0.5;
+  if (place_.arc_increment > 0.0) {
+    place_.arc_increment *= 0.5;
     return is_longer(kShortest);
   }
   place_.step = 0.5 * taken;
   if (!knows_path()) return place_.step >= least;
   const double last = std::fabs(state_.load - state_.previous_load);
-  place_.stretch = last > 0.0 ? std::min(place_.step / last, kLongest) : 1.0;
+  place_.arc_increment = last > 0.0 ? std::min(place_.step / last, kLongest) : 1.0;
   place_.longest = last_motion(model_, state_);
   place_.plateau = {};
   return true;

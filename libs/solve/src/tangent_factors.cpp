@@ -19,7 +19,7 @@ Pivots pivots_of_body(const LinearSolver& solver, const assembly::Assembler& ass
 bool old_factors_do(const std::vector<Iteration>& before, const Iteration& now, const NewtonControls& controls) {
   constexpr double kMargin = 0.1;  // a step that is not the last one was in vain
   const bool last = static_cast<int>(before.size()) + 1 >= controls.min_iterations;
-  if (!last || before.empty() || before.back().kept || before.back().chatters) return false;
+  if (!last || before.empty() || before.back().kept || before.back().cycles) return false;
   if (now.status_changes + now.partner_changes > 0) return false;
   return 2.0 * now.residual * now.residual <= kMargin * controls.residual_tolerance * before.back().residual;
 }

@@ -10,7 +10,7 @@ constexpr double kRounding = 1e-6;  // of loads written with six decimals
 
 std::vector<double> ascending(std::vector<double> loads) {
   std::sort(loads.begin(), loads.end());
-  loads.erase(std::unique(loads.begin(), loads.end(), [](double a, double b) { return b - a < kSameLoad; }),
+  loads.erase(std::unique(loads.begin(), loads.end(), [](double a, double b) { return b - a < kLoadResolution; }),
               loads.end());
   return loads;
 }
@@ -43,12 +43,12 @@ std::vector<double> targets_of(const StepControls& controls, const std::vector<d
 }
 
 double first_beyond(const std::vector<double>& loads, double load) {
-  const auto at = std::upper_bound(loads.begin(), loads.end(), load + kSameLoad);
+  const auto at = std::upper_bound(loads.begin(), loads.end(), load + kLoadResolution);
   return at == loads.end() ? 1.0 : *at;
 }
 
 double interval_around(const std::vector<double>& loads, double load) {
-  const auto next = std::upper_bound(loads.begin(), loads.end(), load + kSameLoad);
+  const auto next = std::upper_bound(loads.begin(), loads.end(), load + kLoadResolution);
   return (next == loads.end() ? 1.0 : *next) - (next == loads.begin() ? 0.0 : *std::prev(next));
 }
 

@@ -6,7 +6,7 @@
 namespace cleft::solve {
 
 /// Two loads are the same if they differ by less.
-constexpr double kSameLoad = 1e-12;
+constexpr double kLoadResolution = 1e-12;
 
 /// A planned load k/steps gives way to an output or a kink that is nearer than this part of 1/steps.
 constexpr double kGivesWay = 1e-2;

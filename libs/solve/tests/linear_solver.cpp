@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "dissection.hpp"
+#include "nested_dissection.hpp"
 #include "umfpack.hpp"
 
 namespace cleft::solve {

@@ -272,7 +272,7 @@ TEST(Newton, SaysWhereTheSearchLosesFacesInContact) {
     ASSERT_FALSE(stepper.done()) << "the faces have passed through each other";
     const auto* failure = std::get_if<assembly::Failure>(&outcome);
     if (!failure) continue;
-    EXPECT_EQ(failure->kind, assembly::FailureKind::ContactLost) << name_of(failure->kind);
+    EXPECT_EQ(failure->kind, assembly::FailureKind::Tunnelling) << name_of(failure->kind);
     const auto& passed = std::get<assembly::PassedPoint>(failure->finding);
     EXPECT_EQ(passed.crack, 0);
     EXPECT_GT(passed.depth, model.surfaces.search_radius);

@@ -1,8 +1,8 @@
 // What tells increments of a path from others.
 #include <gtest/gtest.h>
 
+#include "arc_length.hpp"
 #include "cleft/solve/stepping.hpp"
-#include "path.hpp"
 
 namespace cleft::solve {
 namespace {

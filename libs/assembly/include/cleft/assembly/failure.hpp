@@ -23,7 +23,7 @@ enum class FailureKind : std::uint8_t {
   LedBack,        ///< the path leads back to where an amplitude turned
   Plateau,        ///< nothing but flow or sliding goes on
   Wanders,        ///< the path comes to no higher load
-  ContactLost,    ///< faces have passed through each other
+  Tunnelling,     ///< faces have passed through each other
   Refused         ///< cracks that have grown cannot be cut
 };
 

@@ -15,8 +15,8 @@ struct NewtonControls {
   double residual_tolerance = 1e-8;    ///< of the largest of reactions, dead loads and contact forces (2-norms)
   double correction_tolerance = 1e-5;  ///< of the displacement since the last converged state (largest component)
   int min_iterations = 0;              ///< corrections made even if the residual is small already
-  int max_iterations = 12;             ///< twice as many where contact chatters, eight times where it opens like a zip
-  bool extrapolate = true;             ///< start from the last increment continued
+  int max_iterations = 12;  ///< twice as many where the active set cycles, eight times where it opens like a zip
+  bool extrapolate = true;  ///< start from the last increment continued
 };
 
 /// One iteration: a residual and the correction that it leads to.
@@ -31,14 +31,14 @@ struct Iteration {
   double factor_seconds = 0.0, assembly_seconds = 0.0;
   bool kept = false;               ///< the correction was made with the factors of an iteration before
   std::optional<Pivots> pivots{};  ///< of regular factors, without the signs that the constraints of contact make
-  bool chatters = false;           ///< points of contact go round in circles; this correction was halved
+  bool cycles = false;             ///< points of contact go round in circles; this correction was halved
 };
 
-/// Where an increment ends: at a load, or, with a stretch, where the path coordinate of the state (State::progress) has
-/// grown by it, at a load that is part of the solution.
+/// Where an increment ends: at a load, or, with an arc increment, where the path coordinate of the state
+/// (State::progress) has grown by it, at a load that is part of the solution.
 struct Goal {
   double load = 0.0;
-  double stretch = 0.0;
+  double arc_increment = 0.0;
   double lowest = 0.0;          ///< load below which the path does not lead on: 0, or where an amplitude turned last
   const VecX* held = nullptr;   ///< forces besides the dead loads, N/m, per component of all unknowns
   const VecX* guess = nullptr;  ///< where to begin, of all unknowns, if not by extrapolation
@@ -80,9 +80,9 @@ inline constexpr double kUnnoticedResidual = 1e-5;
 /// residual's tolerance is small, too: in a hold there is no displacement to compare it with. The last correction is
 /// made with the factors of the one before if these suffice. Where hats still change late in the iteration the
 /// correction solves their contact exactly, with all else linear; where points return to an active set and the residual
-/// does not fall (chatter), corrections are halved.
+/// does not fall (active-set cycling), corrections are halved.
 ///
-/// Along a path the load is one more unknown and w . (u - u_n) = stretch one more equation, with w the state's
+/// Along a path the load is one more unknown and w . (u - u_n) = arc increment one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
 Increment solve_increment(const NewtonProblem& problem, const Goal& goal);
 

@@ -64,12 +64,12 @@ struct Plateau {
 /// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
 struct StepPlace {
   int number = 0;
-  double step = 0.0;      ///< increment of the load wanted next, whatever load to hit is nearer
-  double stretch = 0.0;   ///< increment along the path to try next, over the last one; 0: the load's turn
-  double furthest = 0.0;  ///< largest load so far
-  double longest = 0.0;   ///< largest displacement of an increment since the path was taken to, metres
-  Plateau plateau;        ///< of the path
-  int wandered = 0;       ///< increments along the path since the load was largest
+  double step = 0.0;           ///< increment of the load wanted next, whatever load to hit is nearer
+  double arc_increment = 0.0;  ///< increment along the path to try next, over the last one; 0: the load's turn
+  double furthest = 0.0;       ///< largest load so far
+  double longest = 0.0;        ///< largest displacement of an increment since the path was taken to, metres
+  Plateau plateau;             ///< of the path
+  int wandered = 0;            ///< increments along the path since the load was largest
 };
 
 /// Where an increment should end besides the planned loads.
@@ -107,7 +107,7 @@ class LoadStepper {
   /// Equilibrium at the present load, for a state that is not in balance because new faces have been cut through it.
   /// What these transmit is taken away at once or, where that fails, bit by bit; the energy set free is counted in
   /// Energies::released. After a failure the state is somewhere on the way.
-  std::variant<Step, assembly::Failure> settle(const IterationObserver& observer = {});
+  std::variant<Step, assembly::Failure> equilibrate(const IterationObserver& observer = {});
 
   const assembly::Model& model() const { return model_; }
   const assembly::State& state() const { return state_; }
@@ -143,7 +143,7 @@ class LoadStepper {
   struct Attempt {
     bool along_path = false;
     double taken = 0.0;  // of the load, if it is not along the path
-    double size = 0.0;   // the same, or the stretch of the path
+    double size = 0.0;   // the same, or the arc increment
     double flow = 0.0;   // the largest in a cell; 0 along the path
     Increment increment{};
   };

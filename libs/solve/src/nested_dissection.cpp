@@ -1,4 +1,4 @@
-#include "dissection.hpp"
+#include "nested_dissection.hpp"
 
 #include <metis.h>
 

@@ -7,13 +7,13 @@
 
 namespace cleft::solve {
 
-/// Contact may chatter: from the state of one iterate the linearised problem leads to that of another, and so on back
-/// to the first, however small the increment. Half a correction leaves the circle. Contact may also open or close like
-/// a zip, a point in each iteration: that is slow, but every state is a new one and the residual falls. Such an
+/// The active set may cycle: from the state of one iterate the linearised problem leads to that of another, and so on
+/// back to the first, however small the increment. Half a correction leaves the circle. Contact may also open or close
+/// like a zip, a point in each iteration: that is slow, but every state is a new one and the residual falls. Such an
 /// iteration is let go on with whole corrections.
-class Chatter {
+class ActiveSetCycling {
  public:
-  explicit Chatter(int max_iterations) : max_iterations_(max_iterations) {}
+  explicit ActiveSetCycling(int max_iterations) : max_iterations_(max_iterations) {}
 
   /// Takes an iterate, and whether an earlier one had its active set.
   void look_at(int iteration, const Iteration& it, bool again);

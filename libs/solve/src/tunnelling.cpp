@@ -1,4 +1,4 @@
-#include "lost_contact.hpp"
+#include "tunnelling.hpp"
 
 #include <algorithm>
 
@@ -13,9 +13,9 @@ bool is_lost(const std::vector<contact::Pair>& before, const contact::Pair& now,
 
 }  // namespace
 
-std::optional<assembly::Failure> lost_contact(const assembly::Model& model, const assembly::History& history,
-                                              const VecX& displacement, const std::vector<contact::Pair>& before,
-                                              const std::vector<contact::Pair>& now) {
+std::optional<assembly::Failure> tunnelling(const assembly::Model& model, const assembly::History& history,
+                                            const VecX& displacement, const std::vector<contact::Pair>& before,
+                                            const std::vector<contact::Pair>& now) {
   if (model.surfaces.undeformed) return std::nullopt;  // partners are fixed
   std::size_t first = 0;
   while (first < now.size() && !is_lost(before, now[first], first)) ++first;
@@ -32,7 +32,7 @@ std::optional<assembly::Failure> lost_contact(const assembly::Model& model, cons
     const auto& face = farther.faces[point.face];
     if (farther.faces[pairs[p].partner_face].side == face.side) continue;  // what lies behind a thin strip of the body
     const Vec2 at = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
-    return assembly::Failure{assembly::FailureKind::ContactLost,
+    return assembly::Failure{assembly::FailureKind::Tunnelling,
                              assembly::PassedPoint{at, face.crack, -pairs[p].state.normal_gap}};
   }
   return std::nullopt;

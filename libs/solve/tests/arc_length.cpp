@@ -98,7 +98,7 @@ TEST(Path, EndsAtATurnOfTheLoad) {
     ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
     const assembly::State& s = stepper.state();
     EXPECT_NEAR(factor(s.load, kTurn), nominal_stress(stretch_of(model, s)) / kTraction, 1e-7);
-    by_path = by_path || stepper.place().stretch > 0.0;
+    by_path = by_path || stepper.place().arc_increment > 0.0;
     hit = hit || s.load == kTurn;
     ASSERT_LT(std::get<Step>(outcome).number, 100);
   }
@@ -111,14 +111,14 @@ TEST(Path, EndsAtATurnOfTheLoad) {
 TEST(Path, GoesOnWithItsSizeAfterAnOutput) {
   const assembly::Model model = bar();
   LoadStepper first(model, along_path(20));
-  while (first.place().stretch == 0.0) ASSERT_TRUE(std::holds_alternative<Step>(first.advance()));
+  while (first.place().arc_increment == 0.0) ASSERT_TRUE(std::holds_alternative<Step>(first.advance()));
   StepControls controls = along_path(20);
   controls.outputs = {first.state().load + 1e-5};
   LoadStepper stepper(model, controls);
   stepper.restore(first.state(), first.place());
   ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   EXPECT_EQ(stepper.state().load, controls.outputs.front());
-  EXPECT_GT(stepper.place().stretch, 100.0);
+  EXPECT_GT(stepper.place().arc_increment, 100.0);
   ASSERT_TRUE(std::holds_alternative<Step>(first.advance()));
   ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   EXPECT_GT(stretch_of(model, stepper.state()), stretch_of(model, first.state()));
@@ -177,7 +177,7 @@ TEST(Path, PassesLoadOneOnItsWayThere) {
   LoadStepper stepper(model, along_path(4));
   for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   StepPlace place = stepper.place();
-  place.stretch = 2.0;  // to a load of about 1.06
+  place.arc_increment = 2.0;  // to a load of about 1.06
   stepper.restore(stepper.state(), place);
   const auto outcome = stepper.advance();
   ASSERT_TRUE(std::holds_alternative<Step>(outcome)) << name_of(std::get<assembly::Failure>(outcome).kind);
@@ -207,7 +207,7 @@ TEST(Path, EndsWhereTheBodyOnlyUnloads) {
     ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance()));
   assembly::State state = stepper.state();
   StepPlace place = stepper.place();
-  place.stretch = 1.0;
+  place.arc_increment = 1.0;
   place.longest = (state.displacement - state.previous_displacement).cwiseAbs().maxCoeff();
   state.progress = -state.progress;
   state.previous_displacement += 2.0 * (state.displacement - state.previous_displacement);

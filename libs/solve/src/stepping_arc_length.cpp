@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "arc_length.hpp"
 #include "cleft/solve/stepping.hpp"
-#include "lost_contact.hpp"
-#include "path.hpp"
 #include "prescription.hpp"
 #include "targets.hpp"
+#include "tunnelling.hpp"
 
 namespace cleft::solve {
 namespace {
@@ -32,7 +32,7 @@ double LoadStepper::lowest() const {
 }
 
 Increment LoadStepper::try_path(const IterationObserver& observer) {
-  Increment increment = solve({.stretch = place_.stretch, .lowest = lowest()}, observer);
+  Increment increment = solve({.arc_increment = place_.arc_increment, .lowest = lowest()}, observer);
   if (increment.failure && !(increment.load > lowest()) && state_.load < state_.previous_load) {
     Increment at_end = solve({lowest()}, observer);  // where the path gets there, and not by going back the way it came
     if (!at_end.failure && state_.progress.dot(at_end.displacement - state_.displacement) > 0.0) return at_end;
@@ -66,13 +66,13 @@ bool LoadStepper::knows_path() const {
 
 // Whether the next increment along the path is longer than this part of the longest so far.
 bool LoadStepper::is_longer(double part) const {
-  return place_.stretch * last_motion(model_, state_) >= part * place_.longest;
+  return place_.arc_increment * last_motion(model_, state_) >= part * place_.longest;
 }
 
 // Whether the increment at hand is dropped where it has jumped to another branch: on a path while a shorter one might
 // not jump. Where faces begin to slip at a turn of the load, energy is missing however short the increment is.
 bool LoadStepper::is_guarded() const {
-  if (place_.stretch > 0.0) return is_longer(kJumpsNot);
+  if (place_.arc_increment > 0.0) return is_longer(kJumpsNot);
   const bool turns = turns_at(controls_, state_.load) && any_slips(assembler_.pairs());
   return controls_.control == Control::Path && !model_.is_linear() && !turns;
 }
@@ -81,7 +81,7 @@ bool LoadStepper::is_guarded() const {
 double LoadStepper::cut_short(const Increment& increment) const {
   if (increment.load != next_mark()) return 1.0;
   const double made = state_.progress.dot(increment.displacement - state_.displacement);
-  return made > 0.0 ? std::min(place_.stretch / made, kLongest) : 1.0;
+  return made > 0.0 ? std::min(place_.arc_increment / made, kLongest) : 1.0;
 }
 
 Step LoadStepper::commit_on_path(const Increment& increment, Effort effort) {
@@ -94,19 +94,19 @@ Step LoadStepper::commit_on_path(const Increment& increment, Effort effort) {
   place_.wandered = state_.load < place_.furthest ? place_.wandered + 1 : 0;
   const bool easy = effort == Effort::Little;
   if (turns_at(controls_, state_.load) || (easy && gain >= kRises * planned())) {
-    place_.stretch = 0.0;
+    place_.arc_increment = 0.0;
     place_.step = std::clamp(gain, kRises * planned(), planned());
     return out;
   }
-  place_.stretch = std::max(easy ? 2.0 : 1.0, wanted);
-  if (gain != 0.0) place_.stretch = std::min(place_.stretch, planned() / std::fabs(gain));
+  place_.arc_increment = std::max(easy ? 2.0 : 1.0, wanted);
+  if (gain != 0.0) place_.arc_increment = std::min(place_.arc_increment, planned() / std::fabs(gain));
   return out;
 }
 
 // Why an increment that converged is none of the path.
 std::optional<assembly::Failure> LoadStepper::refuse(const Increment& increment) const {
-  if (auto lost = lost_contact(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
-  if (place_.stretch == 0.0 || increment.iterations.empty()) return std::nullopt;
+  if (auto lost = tunnelling(model_, state_.history, increment.displacement, pairs_, assembler_.pairs())) return lost;
+  if (place_.arc_increment == 0.0 || increment.iterations.empty()) return std::nullopt;
   const auto& pivots = increment.iterations.back().pivots;
   const auto determinant =
       pivots && !pivots->negative_determinant ? Determinant::Positive : Determinant::NegativeOrUnknown;

@@ -1,4 +1,4 @@
-#include "chatter.hpp"
+#include "active_set_cycling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,13 @@ Iteration at(double residual, int changes) {
   return it;
 }
 
-bool halves(Chatter& chatter, int iteration, const Iteration& it, bool again = true) {
+bool halves(ActiveSetCycling& chatter, int iteration, const Iteration& it, bool again = true) {
   chatter.look_at(iteration, it, again);
   return chatter.halves();
 }
 
-TEST(Chatter, IsAnActiveSetMetAgainWhileTheResidualStays) {
-  Chatter chatter(kMost);
+TEST(ActiveSetCycling, IsAnActiveSetMetAgainWhileTheResidualStays) {
+  ActiveSetCycling chatter(kMost);
   for (int k = 0; k < 4; ++k) EXPECT_FALSE(halves(chatter, k, at(k % 2 ? 0.8 : 1.0, 1))) << k;
   EXPECT_TRUE(halves(chatter, 4, at(1.0, 1)));
   EXPECT_TRUE(halves(chatter, 5, at(0.7, 1))) << "better than the one before, but not than half of the least";
@@ -30,14 +30,14 @@ TEST(Chatter, IsAnActiveSetMetAgainWhileTheResidualStays) {
   EXPECT_EQ(chatter.halved(), 2);
 }
 
-TEST(Chatter, IsPointsThatChangeWithoutProgress) {
-  Chatter chatter(kMost);
+TEST(ActiveSetCycling, IsPointsThatChangeWithoutProgress) {
+  ActiveSetCycling chatter(kMost);
   for (int k = 0; k < 5; ++k) EXPECT_FALSE(halves(chatter, k, at(1.0 + k, 1), false)) << k;
   EXPECT_TRUE(halves(chatter, 5, at(6.0, 1), false));
 }
 
-TEST(Chatter, IsNotAResidualThatFallsOrPointsThatRest) {
-  Chatter falls(kMost), rests(kMost);
+TEST(ActiveSetCycling, IsNotAResidualThatFallsOrPointsThatRest) {
+  ActiveSetCycling falls(kMost), rests(kMost);
   for (int k = 0; k < 10; ++k) {
     EXPECT_FALSE(halves(falls, k, at(std::pow(0.4, k), 1)));
     EXPECT_FALSE(halves(rests, k, at(1.0, 0)));
@@ -45,8 +45,8 @@ TEST(Chatter, IsNotAResidualThatFallsOrPointsThatRest) {
   EXPECT_EQ(falls.halved() + rests.halved(), 0);
 }
 
-TEST(Chatter, LetsAZipGoOnUntilItIsThrough) {
-  Chatter zip(kMost);
+TEST(ActiveSetCycling, LetsAZipGoOnUntilItIsThrough) {
+  ActiveSetCycling zip(kMost);
   for (int k = 0; k <= 30; ++k) {
     EXPECT_FALSE(halves(zip, k, at(1.0 - 0.01 * k, 2), false)) << k;
     EXPECT_FALSE(zip.is_over()) << k;
@@ -59,8 +59,8 @@ TEST(Chatter, LetsAZipGoOnUntilItIsThrough) {
   EXPECT_TRUE(zip.is_over());
 }
 
-TEST(Chatter, EndsWithTheIterationsAllowedWhereNothingChanges) {
-  Chatter chatter(kMost), one(1);
+TEST(ActiveSetCycling, EndsWithTheIterationsAllowedWhereNothingChanges) {
+  ActiveSetCycling chatter(kMost), one(1);
   for (int k = 0; k < kMost; ++k) {
     halves(chatter, k, at(std::pow(0.9, k), 0), false);
     EXPECT_FALSE(chatter.is_over()) << k;
@@ -72,8 +72,8 @@ TEST(Chatter, EndsWithTheIterationsAllowedWhereNothingChanges) {
   EXPECT_TRUE(one.is_over()) << "one allowed";
 }
 
-TEST(Chatter, EndsAZipThatHasNoEnd) {
-  Chatter chatter(kMost);
+TEST(ActiveSetCycling, EndsAZipThatHasNoEnd) {
+  ActiveSetCycling chatter(kMost);
   for (int k = 0; k < 8 * kMost; ++k) {
     halves(chatter, k, at(1.0 - 1e-3 * k, 2), false);
     EXPECT_FALSE(chatter.is_over()) << k;

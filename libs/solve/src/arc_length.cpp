@@ -1,4 +1,4 @@
-#include "path.hpp"
+#include "arc_length.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "chatter.hpp"
+#include "active_set_cycling.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ constexpr int kPatience = 4;  // iterations: increments that go well have settle
 
 }  // namespace
 
-void Chatter::look_at(int iteration, const Iteration& it, bool again) {
+void ActiveSetCycling::look_at(int iteration, const Iteration& it, bool again) {
   constexpr double kSlow = 0.5;  // times the least residual so far: what does not converge
   iteration_ = iteration;
   circles_ = again;
@@ -21,15 +21,15 @@ void Chatter::look_at(int iteration, const Iteration& it, bool again) {
   if (iteration > 0) least_ = std::min(least_, it.residual);  // a body at rest is in balance before it is moved
 }
 
-bool Chatter::is_late() const { return iteration_ >= kPatience; }
+bool ActiveSetCycling::is_late() const { return iteration_ >= kPatience; }
 
-bool Chatter::halves() {
+bool ActiveSetCycling::halves() {
   const bool out = is_late() && slow_ && changes_ && (circles_ || since_least_ >= kPatience);
   halved_ += out;
   return out;
 }
 
-bool Chatter::is_over() const {
+bool ActiveSetCycling::is_over() const {
   constexpr int kProgress = 6;  // iterations in which the residual must fall, and the contact change
   constexpr int kMost = 8;      // times the iterations allowed otherwise
   if (iteration_ < max_iterations_ + std::min(halved_, max_iterations_)) return false;

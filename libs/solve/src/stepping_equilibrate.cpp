@@ -5,7 +5,7 @@
 
 namespace cleft::solve {
 
-std::variant<Step, assembly::Failure> LoadStepper::settle(const IterationObserver& observer) {
+std::variant<Step, assembly::Failure> LoadStepper::equilibrate(const IterationObserver& observer) {
   constexpr double kLeastPart = 1.0 / 1024;
   const double unexplained = state_.energies.imbalance();
   if (auto failure = assembler_.assemble(state_.displacement, state_.history)) return *failure;
