@@ -43,7 +43,7 @@ std::string describe(const problem::GrowthLaw& law) {
           ? fmt::format("at {:.4g} Pa within {:.4g} m", std::get<problem::Rankine>(law.criterion).strength,
                         std::get<problem::Rankine>(law.criterion).radius)
           : fmt::format("at {:.4g} Pa m^0.5", std::get<problem::HoopStress>(law.criterion).toughness);
-  return fmt::format("growth: {} by {:.4g} m {}, {} times at most{}", tips, law.advance, when, law.most,
+  return fmt::format("growth: {} by {:.4g} m {}, {} times at most{}", tips, law.advance, when, law.max_advances,
                      law.correct_direction ? ", directions corrected" : "");
 }
 

@@ -77,12 +77,12 @@ Evolution::Judged Evolution::judge(const assembly::Equilibrium& body) const {
       if (!may_grow(tip)) continue;
       const Demand demand =
           std::visit([&](const auto& criterion) { return growth::judge(criterion, body, tip); }, laws_[c]->criterion);
-      if (std::isnan(demand.measure)) return {{{tip, demand}}, demand.measure};
+      if (std::isnan(demand.ratio)) return {{{tip, demand}}, demand.ratio};
       out.tips.push_back({tip, demand});
-      out.largest = std::max(out.largest, demand.measure);
+      out.largest = std::max(out.largest, demand.ratio);
     }
   if (out.largest >= 1.0)
-    std::erase_if(out.tips, [&](const Due& due) { return due.demand.measure < out.largest - kTogether; });
+    std::erase_if(out.tips, [&](const PendingAdvance& due) { return due.demand.ratio < out.largest - kTogether; });
   else
     out.tips.clear();
   return out;
@@ -96,7 +96,7 @@ std::optional<Failure> Evolution::no_answer(const Judged& judged) const {
 }
 
 std::variant<Step, Failure> Evolution::advance(const solve::IterationObserver& observer) {
-  if (!laws_.empty()) return record_.due.empty() ? increase(observer) : grow(observer);
+  if (!laws_.empty()) return record_.pending.empty() ? increase(observer) : grow(observer);
   auto outcome = stepper_->advance(observer);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
   return Step{std::move(std::get<solve::Step>(outcome)), {}, 0.0};
@@ -106,7 +106,7 @@ std::variant<Step, Failure> Evolution::increase(const solve::IterationObserver& 
   const double load = stepper_->state().load, within = tolerance();
   int looks = 0;
   const auto look = [&] {
-    return next_look({load, record_.measure, record_.beyond, record_.measure_beyond}, within, looks++ > kStraightLooks);
+    return next_look({load, record_.ratio, record_.beyond, record_.ratio_beyond}, within, looks++ > kStraightLooks);
   };
   Judged judged;
   solve::Event event;
@@ -115,22 +115,22 @@ std::variant<Step, Failure> Evolution::increase(const solve::IterationObserver& 
     judged = judge(body);
     if (!(judged.largest >= 1.0) || body.load - load <= within) return std::nullopt;
     record_.beyond = body.load;
-    record_.measure_beyond = judged.largest;
+    record_.ratio_beyond = judged.largest;
     return look();
   };
   auto outcome = stepper_->advance(observer, event);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
   if (auto failure = no_answer(judged)) return *failure;
-  record_.measure = judged.largest;
-  record_.due = judged.tips;
-  if (!record_.due.empty() || stepper_->state().load >= record_.beyond) record_.beyond = Record::kNever;
+  record_.ratio = judged.largest;
+  record_.pending = judged.tips;
+  if (!record_.pending.empty() || stepper_->state().load >= record_.beyond) record_.beyond = Record::kNever;
   return Step{std::move(std::get<solve::Step>(outcome)), {}, 0.0};
 }
 
 // Where an advance of this length ends. With branch functions a tip stays where it is put, however near the boundary:
 // what would be left ahead of it is cut, too, where it is too little for the mesh to carry or for intensities to be
 // told.
-Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) const {
+Vec2 Evolution::destination(const PendingAdvance& due, const Vec2& from, double length) const {
   const auto& ahead = due.demand.ahead;
   const Index ball = geometry::ball_at(model_->cut, due.tip.crack, due.tip.end);
   if (ball != kNone) {
@@ -141,7 +141,7 @@ Vec2 Evolution::destination(const Due& due, const Vec2& from, double length) con
 }
 
 // Lets one tip advance as far as there is room.
-Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const {
+Advance Evolution::lengthen(const PendingAdvance& due, std::vector<geometry::Crack>& cracks) const {
   const auto& [tip, demand] = due;
   const problem::GrowthLaw& law = *laws_[tip.crack];
   const geometry::Tip from = geometry::tip_of(cracks[tip.crack], tip.end);
@@ -167,8 +167,8 @@ Advance Evolution::lengthen(const Due& due, std::vector<geometry::Crack>& cracks
         out.stop = Stop::Boundary;
       else if (part < 1.0)
         out.stop = Stop::Hindered;
-      else if (out.number == law.most)
-        out.stop = Stop::Most;
+      else if (out.number == law.max_advances)
+        out.stop = Stop::MaxAdvances;
       cracks = std::move(longer);
       return out;
     } catch (const InputError& error) {
@@ -191,11 +191,11 @@ void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::uniqu
   model_ = std::move(model);
 }
 
-std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<Due>& due,
+std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<PendingAdvance>& due,
                                                              const solve::IterationObserver& observer) const {
   Attempt out;
   out.cracks = model_->cracks;
-  for (const Due& one : due) out.advances.push_back(lengthen(one, out.cracks));
+  for (const PendingAdvance& one : due) out.advances.push_back(lengthen(one, out.cracks));
   try {
     out.model = std::make_unique<const assembly::Model>(problem::recut(specification_, *model_, out.cracks));
   } catch (const InputError& error) {
@@ -217,8 +217,8 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<D
 
 // theory (10.9): the same advances in the mean of the directions that the criterion asked for before them and asks for
 // at their ends. None where no law wants that.
-std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const {
-  auto due = record_.due;
+std::optional<std::vector<PendingAdvance>> Evolution::corrected(const Attempt& tried) const {
+  auto due = record_.pending;
   bool any = false;
   for (std::size_t k = 0; k < due.size(); ++k) {
     const Advance& advance = tried.advances[k];
@@ -227,7 +227,7 @@ std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const
     const Demand after = std::visit(
         [&](const auto& criterion) { return growth::judge(criterion, tried.stepper->equilibrium(), advance.tip); },
         law.criterion);
-    if (std::isnan(after.measure)) continue;
+    if (std::isnan(after.ratio)) continue;
     due[k].demand.ahead = (due[k].demand.ahead + after.ahead).normalized();
     any = true;
   }
@@ -235,7 +235,7 @@ std::optional<std::vector<Due>> Evolution::corrected(const Attempt& tried) const
 }
 
 std::variant<Step, Failure> Evolution::grow(const solve::IterationObserver& observer) {
-  auto first = attempt(record_.due, observer);
+  auto first = attempt(record_.pending, observer);
   if (auto* failure = std::get_if<Failure>(&first)) return std::move(*failure);
   auto& made = std::get<Attempt>(first);
   if (const auto due = corrected(made)) {
@@ -257,8 +257,8 @@ std::variant<Step, Failure> Evolution::grow(const solve::IterationObserver& obse
     record_.tips[advance.tip.crack][advance.tip.end] = {advance.number, advance.stop};
   const Judged judged = judge(stepper_->equilibrium());
   if (auto failure = no_answer(judged)) return *failure;
-  record_.measure = judged.largest;
-  record_.due = judged.tips;
+  record_.ratio = judged.largest;
+  record_.pending = judged.tips;
   Step out{std::move(made.step), std::move(made.advances),
            stepper_->state().energies.released - origin_.energies.released};
   out.is_output = true;

@@ -23,11 +23,11 @@ Demand judge(const problem::HoopStress& criterion, const assembly::Equilibrium& 
   out.intensities = intensities_by_integral(body, ball);
   out.elements = problem::elements_within_reach(body.model, ball);
   if (std::isnan(out.intensities.K_I)) {
-    out.measure = Demand::kUnknown;
+    out.ratio = Demand::kUnknown;
     return out;
   }
   const HoopDirection largest = largest_hoop_stress(out.intensities);
-  out.measure = largest.intensity / criterion.toughness;
+  out.ratio = largest.intensity / criterion.toughness;
   const Vec2 ahead = geometry::tip_of(body.model.cracks[tip.crack], tip.end).ahead;
   out.ahead = std::cos(largest.turn) * ahead + std::sin(largest.turn) * turn_left(ahead);
   return out;

@@ -38,12 +38,12 @@ Demand judge(const problem::Rankine& criterion, const assembly::Equilibrium& bod
   });
   Demand out;
   if (!spans) {
-    out.measure = Demand::kUnknown;
+    out.ratio = Demand::kUnknown;
     return out;
   }
   const Principal largest = largest_principal(stress / area);
   out.stress = largest.value;
-  out.measure = largest.value / criterion.strength;
+  out.ratio = largest.value / criterion.strength;
   const Vec2 pulled_back = m.is_small_strain() ? largest.axis : Vec2(deformation.transpose() * largest.axis);
   out.ahead = turn_left(pulled_back).normalized();
   if (out.ahead.dot(geometry::tip_of(m.cracks[tip.crack], tip.end).ahead) < 0.0) out.ahead = -out.ahead;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "old_faces.hpp"
-#include "old_flow.hpp"
-#include "old_hats.hpp"
-#include "patch_flow.hpp"
+#include "contact_transfer.hpp"
+#include "f_bar_transfer.hpp"
+#include "multiplier_transfer.hpp"
+#include "plastic_transfer.hpp"
 
 namespace cleft::growth {
 namespace {

@@ -40,7 +40,7 @@ TEST(Rankine, TakesTheLargerPrincipalStressOfAHomogeneousState) {
       0.5 * (s(0, 0) + s(1, 1)) + std::sqrt(0.25 * std::pow(s(0, 0) - s(1, 1), 2) + s(0, 1) * s(0, 1));
   const Demand demand = judge(Rankine{2e8, 0.2}, body.equilibrium(), {0, 1});
   EXPECT_NEAR(demand.stress, expected, 1e-9 * expected);
-  EXPECT_NEAR(demand.measure, expected / 2e8, 1e-9);
+  EXPECT_NEAR(demand.ratio, expected / 2e8, 1e-9);
 }
 
 // Under plain strain turned rigidly by an angle the crack takes the same material line: the principal direction turns
@@ -175,7 +175,7 @@ TEST(HoopStress, OfAnOpenCrackLeadsStraightOn) {
   ASSERT_FALSE(bodies::run(body).failure);
   const Demand demand = judge(HoopStress{1e7}, body.stepper().equilibrium(), {0, 1});
   EXPECT_GT(demand.intensities.K_I, 1e7);
-  EXPECT_NEAR(demand.measure, demand.intensities.K_I / 1e7, 0.01 * demand.measure);
+  EXPECT_NEAR(demand.ratio, demand.intensities.K_I / 1e7, 0.01 * demand.ratio);
   EXPECT_NEAR(std::atan2(demand.ahead.y(), demand.ahead.x()) / kDegree, 0.0, 3.0);
 }
 
@@ -193,7 +193,7 @@ TEST(HoopStress, HasNoAnswerWithinHalfAnElementOfTheBoundary) {
     ASSERT_FALSE(bodies::run(body).failure);
     const Demand demand = judge(HoopStress{1e7}, body.stepper().equilibrium(), {0, 1});
     EXPECT_NEAR(demand.elements, (1.0 - length) * 16.0, 1e-9);
-    EXPECT_EQ(std::isnan(demand.measure), length > 0.96);
+    EXPECT_EQ(std::isnan(demand.ratio), length > 0.96);
     EXPECT_EQ(std::isnan(demand.intensities.K_I), length > 0.96);
     Evolution grows = enriched_edge_crack(length).evolution({.criterion = HoopStress{1e12}, .advance = 0.1}, 1);
     const auto history = bodies::run(grows);
@@ -205,9 +205,9 @@ TEST(HoopStress, HasNoAnswerWithinHalfAnElementOfTheBoundary) {
 }
 
 TEST(HoopStress, AnAdvanceThatWouldLeaveHalfAnElementCutsThrough) {
-  for (const auto& [advance, stop] : {std::pair{0.10, Stop::Most}, {0.185, Stop::Boundary}}) {
+  for (const auto& [advance, stop] : {std::pair{0.10, Stop::MaxAdvances}, {0.185, Stop::Boundary}}) {
     Evolution body =
-        enriched_edge_crack(0.8).evolution({.criterion = HoopStress{1e7}, .advance = advance, .most = 1}, 2);
+        enriched_edge_crack(0.8).evolution({.criterion = HoopStress{1e7}, .advance = advance, .max_advances = 1}, 2);
     const auto history = bodies::run(body);
     ASSERT_FALSE(history.failure) << name_of(history.failure->kind);
     const auto advances = history.advances();

@@ -16,7 +16,7 @@ using bodies::edge_crack;
 GrowthLaw rankine(double strength, double advance, int most = 1000) {
   GrowthLaw law{Rankine{strength, 0.12}};
   law.advance = advance;
-  law.most = most;
+  law.max_advances = most;
   return law;
 }
 
@@ -73,7 +73,7 @@ TEST(Evolution, GrowsAtOneAndHardlyBeyondIt) {
         below = step.load;
         continue;
       }
-      const double measure = step.advances[0].demand.measure;
+      const double measure = step.advances[0].demand.ratio;
       EXPECT_GE(measure, 1.0);
       EXPECT_LE(measure, 1.0 + 2.0 * tolerance / below);  // the demand grows in proportion to the load
     }
@@ -94,7 +94,7 @@ TEST(Evolution, AdvancesSeveralTimesAtOneLoadUntilTheBodyIsRelieved) {
     EXPECT_NEAR(advances[static_cast<std::size_t>(k)].length, 0.08, 1e-12);
     EXPECT_NEAR(advances[static_cast<std::size_t>(k)].angle, 0.0, 0.2);  // an opening crack goes straight on
   }
-  EXPECT_EQ(advances.back().stop, Stop::Most);
+  EXPECT_EQ(advances.back().stop, Stop::MaxAdvances);
   const auto loads = run.loads_of_growth();
   EXPECT_EQ(loads[0], loads[1]);
   EXPECT_LE(loads[1], loads[3]);
@@ -259,7 +259,7 @@ TEST(Evolution, SetsFreeTheDifferenceOfTwoStationaryCracks) {
   for (const auto& [square, strength, radius] : {std::tuple{open, 6e7, 0.12}, std::tuple{closed, 1e6, 0.06}}) {
     GrowthLaw law{Rankine{strength, radius}};
     law.advance = 0.1;
-    law.most = 1;
+    law.max_advances = 1;
     Evolution body = square.evolution(law, 10);
     const auto run = bodies::run(body);
     ASSERT_GE(run.advances().size(), 1u);
@@ -320,7 +320,7 @@ TEST(Evolution, SmallAndFiniteStrainAgreeWhereTheStrainIsSmall) {
     square.solid = bodies::elastic(small ? problem::Kinematics::Small : problem::Kinematics::Finite, 0.3);
     GrowthLaw law{Rankine{1e4, 0.07}};
     law.advance = 0.09;
-    law.most = 2;
+    law.max_advances = 2;
     Evolution body = square.evolution(law, 10);
     const auto run = bodies::run(body);
     ASSERT_FALSE(run.failure);

@@ -33,7 +33,7 @@ bodies::Square square_of(const PatchedKind& kind) {
 GrowthLaw stress_reaches(double strength, double advance, int most) {
   GrowthLaw law{Rankine{strength, 0.12}};
   law.advance = advance;
-  law.most = most;
+  law.max_advances = most;
   return law;
 }
 

@@ -144,7 +144,7 @@ TEST(TurnedBody, DoesNotGrowUnlessItIsLoaded) {
   const auto history = bodies::run(body);
   ASSERT_FALSE(history.failure);
   EXPECT_TRUE(history.advances().empty());
-  EXPECT_LT(body.record().measure, 1e-5);
+  EXPECT_LT(body.record().ratio, 1e-5);
 }
 
 TEST(TurnedBody, GrowsAlongTheSamePathAtTheSameLoads) {
@@ -154,7 +154,7 @@ TEST(TurnedBody, GrowsAlongTheSamePathAtTheSameLoads) {
     std::vector<Advance> still;
     for (const double degrees : {0.0, 60.0, -90.0}) {
       square.turn = degrees * kPerDegree;
-      Evolution body = square.evolution(GrowthLaw{.criterion = criterion, .advance = 0.08, .most = 2}, 10);
+      Evolution body = square.evolution(GrowthLaw{.criterion = criterion, .advance = 0.08, .max_advances = 2}, 10);
       const auto history = bodies::run(body);
       ASSERT_FALSE(history.failure) << name_of(history.failure->kind);
       const auto advances = history.advances();
@@ -164,7 +164,7 @@ TEST(TurnedBody, GrowsAlongTheSamePathAtTheSameLoads) {
       for (std::size_t k = 0; k < still.size(); ++k) {
         EXPECT_LT((advances[k].point - still[k].point).norm(), 1e-6) << degrees << " degrees";
         EXPECT_NEAR(advances[k].turn, still[k].turn, 1e-5) << degrees << " degrees";
-        EXPECT_NEAR(advances[k].demand.measure, still[k].demand.measure, 1e-5);
+        EXPECT_NEAR(advances[k].demand.ratio, still[k].demand.ratio, 1e-5);
       }
     }
   }

@@ -68,18 +68,18 @@ void pass(Io& io, growth::Record& g) {
   pass(io, g.tips, [&](std::array<growth::Record::Tip, 2>& ends) {
     for (auto& tip : ends) io(tip.advances), io(tip.stop);
   });
-  pass(io, g.due, [&](growth::Due& due) {
+  pass(io, g.pending, [&](growth::PendingAdvance& due) {
     io(due.tip);
-    io(due.demand.measure);
+    io(due.demand.ratio);
     io(due.demand.ahead.x());
     io(due.demand.ahead.y());
     io(due.demand.stress);
     io(due.demand.intensities);
     io(due.demand.elements);
   });
-  io(g.measure);
+  io(g.ratio);
   io(g.beyond);
-  io(g.measure_beyond);
+  io(g.ratio_beyond);
 }
 
 template <class Io>

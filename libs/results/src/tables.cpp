@@ -36,7 +36,7 @@ const char* name_of(growth::Stop stop) {
       return "boundary";
     case growth::Stop::Hindered:
       return "hindered";
-    case growth::Stop::Most:
+    case growth::Stop::MaxAdvances:
       return "most";
   }
   return "";
@@ -209,7 +209,7 @@ Table<GrowthRow> growth_table(const Contents& contents) {
           {"stress", [](R r) { return r.advance.demand.stress; }},
           {"k1", [](R r) { return r.advance.demand.intensities.K_I; }},
           {"k2", [](R r) { return r.advance.demand.intensities.K_II; }},
-          {"demand", [](R r) { return r.advance.demand.measure; }},
+          {"demand", [](R r) { return r.advance.demand.ratio; }},
           {"released_energy", [](R r) { return r.released; }},
           {"stop", [](R r) { return name_of(r.advance.stop); }},
           {"elements", [](R r) { return r.advance.demand.elements; }}};

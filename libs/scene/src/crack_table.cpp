@@ -36,7 +36,7 @@ const Table<GrowthLaw>& growth_table() {
            .needed()
            .of({"hoop-stress"}),
        Row::number("advance", &GrowthLaw::advance, kPositive.in("m"), "length of one advance").needed(),
-       Row::integer("most", &GrowthLaw::most, {1, 1000000}, "advances of each tip"),
+       Row::integer("most", &GrowthLaw::max_advances, {1, 1000000}, "advances of each tip"),
        Row::choice("tips", &GrowthLaw::tips, kTips, "which ends grow"),
        Row::value("correct_direction", &GrowthLaw::correct_direction,
                   "try an advance, then make it in the mean direction"),

@@ -31,7 +31,7 @@ struct EnergyRelease {
     const auto& [K_I, K_II] = out.intensities;
     const auto& [lambda, mu] = body.model.constants(0);  // of a body of one material
     const double poisson = 0.5 * lambda / (lambda + mu);
-    out.measure = (K_I * K_I + K_II * K_II) * (1.0 - poisson) / (2.0 * mu) / resistance;
+    out.ratio = (K_I * K_I + K_II * K_II) * (1.0 - poisson) / (2.0 * mu) / resistance;
     const double turn = largest_hoop_stress(out.intensities).turn;
     const Vec2 ahead = geometry::tip_of(body.model.cracks[tip.crack], tip.end).ahead;
     out.ahead = std::cos(turn) * ahead + std::sin(turn) * turn_left(ahead);
@@ -53,7 +53,7 @@ TEST(ExampleCriterion, KnowsTheEnergyReleaseOfASlantedCrack) {
   const double exact = tension * tension * std::numbers::pi * half_length / 2.0 * (1.0 - poisson * poisson) / young;
   for (const int end : {0, 1}) {
     const Demand demand = EnergyRelease{exact}.judge(equilibrium, {0, end});
-    EXPECT_NEAR(demand.measure, 1.0, 0.01) << "end " << end;  // the intensities are within 0.3 %
+    EXPECT_NEAR(demand.ratio, 1.0, 0.01) << "end " << end;  // the intensities are within 0.3 %
     const double turn = largest_hoop_stress({1.0, 1.0}).turn;
     const Vec2 ahead = geometry::tip_of(equilibrium.model.cracks[0], end).ahead;
     EXPECT_NEAR(std::abs(std::atan2(cross(ahead, demand.ahead), ahead.dot(demand.ahead))), std::abs(turn), 0.01)

@@ -21,7 +21,7 @@ struct TipName {
 
 /// What a body asks of a tip.
 struct Demand {
-  double measure = 0.0;      ///< over what the material bears: the tip advances at 1; not a number: no answer
+  double ratio = 0.0;        ///< over what the material bears: the tip advances at 1; not a number: no answer
   Vec2 ahead{1.0, 0.0};      ///< unit vector, in the reference configuration: the way that it would take
   double stress = kUnknown;  ///< Pa: largest principal value of the mean Cauchy stress (Rankine)
   enrichment::Intensities intensities{kUnknown, kUnknown};  ///< Pa m^(1/2) (maximum hoop stress),

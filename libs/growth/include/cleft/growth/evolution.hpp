@@ -13,10 +13,10 @@
 namespace cleft::growth {
 
 /// Why a tip grows no more.
-enum class Stop : std::uint8_t { None, Boundary, Hindered, Most };
+enum class Stop : std::uint8_t { None, Boundary, Hindered, MaxAdvances };
 
 /// An advance that is due.
-struct Due {
+struct PendingAdvance {
   TipName tip;
   Demand demand;
 };
@@ -30,10 +30,10 @@ struct Record {
   std::vector<std::vector<Vec2>> points;  ///< of each crack, as grown; metres
   std::vector<double> s_first;            ///< of each crack (geometry::Crack::s_first)
   std::vector<std::array<Tip, 2>> tips;   ///< of each crack
-  std::vector<Due> due;                   ///< at the present state
-  double measure = 0.0;                   ///< largest demand at the present state
+  std::vector<PendingAdvance> pending;    ///< at the present state
+  double ratio = 0.0;                     ///< largest demand at the present state
   double beyond = kNever;                 ///< least load known at which a tip would advance,
-  double measure_beyond = 0.0;            ///< and the largest demand there
+  double ratio_beyond = 0.0;              ///< and the largest demand there
   static constexpr double kNever = 2.0;   ///< a load that no run reaches
 };
 
@@ -73,7 +73,7 @@ class Evolution {
   /// `model`: what problem::build_model has made of the specification. Growth needs Control::Load.
   Evolution(problem::Specification specification, assembly::Model model);
 
-  bool done() const { return stepper_->done() && record_.due.empty(); }
+  bool done() const { return stepper_->done() && record_.pending.empty(); }
 
   /// One converged increment or one step of growth, or the failure that ends the run.
   std::variant<Step, assembly::Failure> advance(const solve::IterationObserver& observer = {});
@@ -94,7 +94,7 @@ class Evolution {
 
  private:
   struct Judged {
-    std::vector<Due> tips;
+    std::vector<PendingAdvance> tips;
     double largest = 0.0;
   };
   /// What the body is like once tips have advanced, in balance.
@@ -112,11 +112,11 @@ class Evolution {
   double tolerance() const;
   std::variant<Step, assembly::Failure> increase(const solve::IterationObserver& observer);
   std::variant<Step, assembly::Failure> grow(const solve::IterationObserver& observer);
-  std::variant<Attempt, assembly::Failure> attempt(const std::vector<Due>& due,
+  std::variant<Attempt, assembly::Failure> attempt(const std::vector<PendingAdvance>& due,
                                                    const solve::IterationObserver& observer) const;
-  std::optional<std::vector<Due>> corrected(const Attempt& tried) const;
-  Vec2 destination(const Due& due, const Vec2& from, double length) const;
-  Advance lengthen(const Due& due, std::vector<geometry::Crack>& cracks) const;
+  std::optional<std::vector<PendingAdvance>> corrected(const Attempt& tried) const;
+  Vec2 destination(const PendingAdvance& due, const Vec2& from, double length) const;
+  Advance lengthen(const PendingAdvance& due, std::vector<geometry::Crack>& cracks) const;
   void count(const solve::LoadStepper& done_with);
   void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<solve::LoadStepper> stepper);
 

@@ -92,7 +92,7 @@ using GrowthCriterion = std::variant<Rankine, HoopStress>;
 struct GrowthLaw {
   GrowthCriterion criterion;
   double advance = 0.0;                  ///< length of one advance, metres, in the reference configuration
-  int most = 1000;                       ///< advances of each tip
+  int max_advances = 1000;               ///< advances of each tip
   std::array<bool, 2> tips{true, true};  ///< which ends may grow: the first, the last
   bool correct_direction = false;        ///< of each advance, by what is asked for at its end
   double load_tolerance = 1e-4;          ///< of the load at which a tip begins to advance
@@ -188,7 +188,7 @@ struct Specification {
   MeshSpec mesh;
   std::vector<MaterialSpec> materials;  ///< at least one
   Kinematics kinematics = Kinematics::Finite;
-  bool f_bar = false;           ///< patches of two cells share their change of volume and their pressure
+  bool f_bar = false;  ///< patches of two cells share their change of volume and their pressure
   Location formulation_at;
   double tip_enrichment = 0.0;  ///< radius of the ball of branch functions around every tip, metres; 0: none
   std::vector<CrackSpec> cracks;

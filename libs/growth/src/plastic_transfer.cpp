@@ -1,4 +1,4 @@
-#include "old_flow.hpp"
+#include "plastic_transfer.hpp"
 
 #include <algorithm>
 #include <functional>

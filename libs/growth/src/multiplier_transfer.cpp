@@ -1,9 +1,9 @@
-#include "old_hats.hpp"
+#include "multiplier_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "old_faces.hpp"
+#include "contact_transfer.hpp"
 
 namespace cleft::growth {
 namespace {

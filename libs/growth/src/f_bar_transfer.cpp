@@ -1,4 +1,4 @@
-#include "patch_flow.hpp"
+#include "f_bar_transfer.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "old_faces.hpp"
+#include "contact_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
