@@ -8,7 +8,7 @@
 
 #include "cleft/problem/field.hpp"
 #include "meshing.hpp"
-#include "supports.hpp"
+#include "rigid_motion.hpp"
 
 namespace cleft::problem {
 namespace {

@@ -1,4 +1,4 @@
-#include "supports.hpp"
+#include "rigid_motion.hpp"
 
 #include <fmt/format.h>
 
