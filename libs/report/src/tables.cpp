@@ -8,7 +8,7 @@
 #include <iterator>
 #include <map>
 
-#include "cleft/scene/solved_keys.hpp"
+#include "cleft/scene/scene_difference.hpp"
 #include "page.hpp"
 #include "unit.hpp"
 

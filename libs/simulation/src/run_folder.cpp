@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "cleft/results/files.hpp"
-#include "cleft/scene/solved_keys.hpp"
+#include "cleft/scene/scene_difference.hpp"
 
 namespace cleft::simulation {
 namespace {

@@ -1,5 +1,5 @@
 // What differs between two scenes, key by key.
-#include "cleft/scene/solved_keys.hpp"
+#include "cleft/scene/scene_difference.hpp"
 
 #include "cleft/scene/json.hpp"
 #include "scenes.hpp"

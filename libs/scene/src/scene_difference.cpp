@@ -1,4 +1,4 @@
-#include "cleft/scene/solved_keys.hpp"
+#include "cleft/scene/scene_difference.hpp"
 
 #include <fmt/format.h>
 
