@@ -2,7 +2,7 @@
 """models.py SOURCE FOLDER...: sources below libs/FOLDER may hold and hand on an assembly::Model, but not fill one.
 
 A model is filled where a variable of this type is declared in a file that also assigns a member of it. SOURCE is the
-folder that holds libs/. A FOLDER that starts with a hyphen is a file that may: -tangent_check/src/torn_body.cpp.
+folder that holds libs/. A FOLDER that starts with a hyphen is a file that may: -tangent_check/src/element_tangent.cpp.
 """
 import re
 import sys

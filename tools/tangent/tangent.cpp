@@ -6,7 +6,7 @@
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
 #include "cleft/simulation/failure_words.hpp"
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
@@ -86,8 +86,8 @@ int tangent(const Options& options) {
   tangent_check::TangentReport report;
   std::optional<assembly::Failure> no_forces;
   // The run behind a wrong tangent is not worth waiting for.
-  const auto failure =
-      tangent_check::visit_between(body, options.states, [&](const tangent_check::StateBetween& between) {
+  const auto failure = tangent_check::visit_intermediate_states(
+      body, options.states, [&](const tangent_check::IntermediateState& between) {
         no_forces = tangent_check::check_tangent(between.model, between.before.history, between.displacement,
                                                  between.load, options.tolerance, report);
         places.add(between.model, between.load, report);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 #include "cleft/tangent_check/newton_rate.hpp"
 #include "cleft/tangent_check/tangent.hpp"
 #include "comparison.hpp"
@@ -124,7 +124,7 @@ TEST(WingCrack, IterationsAndTangentsHoldThroughGrowth) {
   const auto scene = scene_of("wing_crack");
   auto body = growth::Evolution(scene, problem::build_model(scene));
   int after_growth = 0;
-  EXPECT_FALSE(tangent_check::visit_between(body, 5, [&](const tangent_check::StateBetween& between) {
+  EXPECT_FALSE(tangent_check::visit_intermediate_states(body, 5, [&](const tangent_check::IntermediateState& between) {
     after_growth += between.model.cracks[0].points.size() > 2;
     EXPECT_FALSE(tangent_check::check_tangent(between.model, between.before.history, between.displacement, between.load,
                                               1e-6, report));

@@ -91,9 +91,9 @@ int torn_cells_that_flow(const Torn& s) {
   return count;
 }
 
-class TornBody : public testing::TestWithParam<Kind> {};
+class ElementTangents : public testing::TestWithParam<Kind> {};
 
-TEST_P(TornBody, KeepsTheIntegralsOfItsPlasticHistory) {
+TEST_P(ElementTangents, KeepsTheIntegralsOfItsPlasticHistory) {
   const Torn s(GetParam());
   EXPECT_GE(torn_cells_that_flow(s), 3);
   for (const auto& measure : what_is_kept(GetParam().solid)) {
@@ -104,7 +104,7 @@ TEST_P(TornBody, KeepsTheIntegralsOfItsPlasticHistory) {
   }
 }
 
-TEST_P(TornBody, MakesNoHistoryBeyondThatOfTheTriangle) {
+TEST_P(ElementTangents, MakesNoHistoryBeyondThatOfTheTriangle) {
   const Torn s(GetParam());
   std::vector<std::pair<double, double>> range(s.before.mesh.triangles.size(), {1e300, -1e300});
   assembly::for_each_material_point(s.before, [&](std::size_t p, const auto& point, double) {
@@ -120,7 +120,7 @@ TEST_P(TornBody, MakesNoHistoryBeyondThatOfTheTriangle) {
 }
 
 // A triangle that was whole, whatever it becomes, and one whose parts stay.
-TEST_P(TornBody, KeepsToTheLastBitWhatIsNotMixed) {
+TEST_P(ElementTangents, KeepsToTheLastBitWhatIsNotMixed) {
   const Torn s(GetParam());
   int divided = 0, same = 0;
   for (Index now = 0; now < static_cast<Index>(s.after.material_points()); ++now)
@@ -187,7 +187,7 @@ Index image_of(const assembly::MaterialPoint& point, const Model& model, const M
   return kNone;
 }
 
-TEST_P(TornBody, HandsOnTheMirrorImageInAMirror) {
+TEST_P(ElementTangents, HandsOnTheMirrorImageInAMirror) {
   Torn s(GetParam()), mirror(GetParam(), true);
   s.state.history.plastic = invented(s.before, false);
   mirror.state.history.plastic = invented(mirror.before, true);
@@ -230,7 +230,7 @@ TEST(PlasticHistory, IsTheMeanOverTheAreasInCommon) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, TornBody,
+    All, ElementTangents,
     testing::Values(Kind{"small_strain", bodies::cone(problem::Kinematics::Small, 0.1)},
                     Kind{"small_strain_with_branch_functions", bodies::cone(problem::Kinematics::Small, 0.1), 0.17},
                     Kind{"finite_strain", bodies::cone(problem::Kinematics::Finite, 0.1)},

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "branch.hpp"
-#include "single_points.hpp"
-#include "torn_body.hpp"
-#include "whole_matrix.hpp"
+#include "contact_point_tangents.hpp"
+#include "element_tangent.hpp"
+#include "global_tangent.hpp"
 
 namespace cleft::tangent_check {
 namespace {
@@ -30,8 +30,8 @@ class ForceNearby {
   ForceNearby(const Place& at, assembly::Assembler& assembler)
       : at_(at), assembler_(assembler), pairs_(assembler.pairs()), multipliers_(assembler.multipliers()) {}
 
-  WholeForce operator()(const VecX& there) const {
-    WholeForce out;
+  GlobalForce operator()(const VecX& there) const {
+    GlobalForce out;
     const bool failed = assembler_.assemble(there, at_.history).has_value();
     out.force = failed ? VecX::Constant(there.size(), std::nan("")) : assembler_.internal_force();
     if (!at_.model.surfaces.multiplier_space.empty())
@@ -57,7 +57,7 @@ class ForceNearby {
 };
 
 // `assembler`: as it has assembled the place.
-void check_whole(const Place& at, std::vector<double> step, assembly::Assembler& assembler, TangentReport& report) {
+void check_global(const Place& at, std::vector<double> step, assembly::Assembler& assembler, TangentReport& report) {
   const assembly::BlockMatrix matrix = assembler.matrix();
   TangentBlock& assembled = report.blocks["assembled"];
   ++assembled.pieces;
@@ -103,11 +103,11 @@ std::optional<assembly::Failure> check_tangent(const assembly::Model& model, con
   const Lengths lengths = lengths_of(model, u);
   std::vector<double> step;
   for (const double influence : lengths.influence) step.push_back(first_step(influence, lengths.reach));
-  if (auto failure = TornBody(model, history, u, lengths).check(load, tolerance, report)) return failure;
-  if (model.has_contact()) SinglePoints(model, history, u, lengths).check(load, tolerance, report, step);
+  if (auto failure = ElementTangents(model, history, u, lengths).check(load, tolerance, report)) return failure;
+  if (model.has_contact()) ContactPointTangents(model, history, u, lengths).check(load, tolerance, report, step);
   const double least = kClearOfRounding * least_step(lengths.reach, tolerance);
   for (double& h : step) h = std::max(h, least);
-  check_whole({model, history, u, load, tolerance}, std::move(step), assembler, report);
+  check_global({model, history, u, load, tolerance}, std::move(step), assembler, report);
   ++report.states;
   return std::nullopt;
 }

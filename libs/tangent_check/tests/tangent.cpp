@@ -8,7 +8,7 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 
 namespace cleft::tangent_check {
 namespace {
@@ -26,7 +26,7 @@ struct Subject {
 
   TangentReport along_the_run(int states) {
     TangentReport report;
-    EXPECT_FALSE(visit_between(body, states, [&](const StateBetween& b) {
+    EXPECT_FALSE(visit_intermediate_states(body, states, [&](const IntermediateState& b) {
       EXPECT_FALSE(check_tangent(b.model, b.before.history, b.displacement, b.load, kTolerance, report));
       return true;
     }));

@@ -6,7 +6,7 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 #include "cleft/tangent_check/newton_rate.hpp"
 #include "cleft/tangent_check/tangent.hpp"
 
@@ -81,7 +81,7 @@ TEST(ExampleContact, TangentIsTheDerivativeOfTheForce) {
   for (const auto& method : kMethods) {
     auto block = body(method);
     tangent_check::TangentReport report;
-    EXPECT_FALSE(tangent_check::visit_between(block, 3, [&](const tangent_check::StateBetween& b) {
+    EXPECT_FALSE(tangent_check::visit_intermediate_states(block, 3, [&](const tangent_check::IntermediateState& b) {
       EXPECT_FALSE(tangent_check::check_tangent(b.model, b.before.history, b.displacement, b.load, 1e-6, report));
       return true;
     }));

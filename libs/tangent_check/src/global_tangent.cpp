@@ -1,4 +1,4 @@
-#include "whole_matrix.hpp"
+#include "global_tangent.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -46,7 +46,7 @@ class ColumnGroup {
     for (std::size_t k = 0; k < kOffsets.size(); ++k) {
       VecX there = check_.u;
       for (const Index j : columns_) there[2 * j + direction] += kOffsets[k] * check_.step[j];
-      WholeForce at = check_.evaluate(there);
+      GlobalForce at = check_.evaluate(there);
       out.at[k] = std::move(at.force);
       for (const Index i : at.kinked) out.kinked[i] = true;
     }

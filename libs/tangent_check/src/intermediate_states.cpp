@@ -1,4 +1,4 @@
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 
 #include <algorithm>
 
@@ -8,13 +8,13 @@ namespace {
 // Neither a converged state nor halfway, where a motion that turns back would stand still.
 constexpr double kPart = 0.37;
 
-StateBetween between(const assembly::Model& model, const assembly::State& before, const VecX& after, double load) {
+IntermediateState between(const assembly::Model& model, const assembly::State& before, const VecX& after, double load) {
   return {model, before, before.displacement + kPart * (after - before.displacement),
           before.load + kPart * (load - before.load)};
 }
 
 // What one iteration makes of the last converged state on the way to the next load.
-StateBetween beyond(const solve::LoadStepper& stepper) {
+IntermediateState beyond(const solve::LoadStepper& stepper) {
   const assembly::State& state = stepper.state();
   const double load = std::min(1.0, state.load + stepper.place().step);
   solve::NewtonControls once;
@@ -29,8 +29,8 @@ StateBetween beyond(const solve::LoadStepper& stepper) {
 
 }  // namespace
 
-std::optional<assembly::Failure> visit_between(growth::Evolution& body, int states,
-                                               const std::function<bool(const StateBetween&)>& visit) {
+std::optional<assembly::Failure> visit_intermediate_states(growth::Evolution& body, int states,
+                                                           const std::function<bool(const IntermediateState&)>& visit) {
   int visited = 0;  // of the loads (k + 1/2) / states
   const auto next = [&] { return (visited + 0.5) / states; };
   while (!body.done() && visited < states) {

@@ -11,9 +11,10 @@ namespace cleft::tangent_check {
 
 /// The faces without the body and with one contact point at a time, so that every force and entry that the assembler
 /// makes is that point's.
-class SinglePoints {
+class ContactPointTangents {
  public:
-  SinglePoints(const assembly::Model& model, const assembly::History& history, const VecX& u, const Lengths& lengths);
+  ContactPointTangents(const assembly::Model& model, const assembly::History& history, const VecX& u,
+                       const Lengths& lengths);
 
   /// Compares every point and sums up by its status. Lowers `step`, per unknown, to what the points needed to stay on
   /// their branches.

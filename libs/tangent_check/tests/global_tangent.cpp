@@ -1,4 +1,4 @@
-#include "whole_matrix.hpp"
+#include "global_tangent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ struct Chain {
                   .step = {0x1p-17, 0x1p-17, 0x1p-18},
                   .evaluate =
                       [&](const VecX& at) {
-                        return WholeForce{force(at), kinked};
+                        return GlobalForce{force(at), kinked};
                       },
                   .block_of = [&](Index) -> TangentBlock& { return out; },
                   .tolerance = 1e-6});

@@ -1,4 +1,4 @@
-#include "torn_body.hpp"
+#include "element_tangent.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace cleft::tangent_check {
 
-std::vector<TornBody::Piece> TornBody::pieces_of(const assembly::Model& model) {
+std::vector<ElementTangents::Piece> ElementTangents::pieces_of(const assembly::Model& model) {
   std::vector<Piece> out;
   for (const auto& patch : assembly::patches_of(model))
     out.push_back({{patch.cell[0], patch.cell[1]}, {patch.unknown.begin(), patch.unknown.end()}});
@@ -22,7 +22,7 @@ std::vector<TornBody::Piece> TornBody::pieces_of(const assembly::Model& model) {
   return out;
 }
 
-assembly::Model TornBody::torn(const assembly::Model& model, const std::vector<Piece>& pieces) {
+assembly::Model ElementTangents::torn(const assembly::Model& model, const std::vector<Piece>& pieces) {
   assembly::Model out;
   out.mesh = model.mesh;  // for messages
   out.materials = model.materials;
@@ -39,7 +39,7 @@ assembly::Model TornBody::torn(const assembly::Model& model, const std::vector<P
   return out;
 }
 
-std::string TornBody::name_of(const Piece& piece) const {
+std::string ElementTangents::name_of(const Piece& piece) const {
   const std::string kind = piece.cells.size() > 1 ? "patch" : "bulk";
   for (const Index c : piece.cells)
     if (const auto side = whole_.cells[c].side_if_cut())
@@ -47,8 +47,8 @@ std::string TornBody::name_of(const Piece& piece) const {
   return kind;
 }
 
-TornBody::TornBody(const assembly::Model& model, const assembly::History& history, const VecX& u,
-                   const Lengths& lengths)
+ElementTangents::ElementTangents(const assembly::Model& model, const assembly::History& history, const VecX& u,
+                                 const Lengths& lengths)
     : whole_(model),
       pieces_(pieces_of(model)),
       torn_(torn(model, pieces_)),
@@ -65,7 +65,7 @@ TornBody::TornBody(const assembly::Model& model, const assembly::History& histor
   }
 }
 
-TornBody::Matrix TornBody::tangent(const Piece& piece) const {
+ElementTangents::Matrix ElementTangents::tangent(const Piece& piece) const {
   Matrix out = Matrix::Zero();
   for (int column = 0; column < piece.components(); ++column)
     for (int row = 0; row < piece.components(); ++row)
@@ -73,7 +73,7 @@ TornBody::Matrix TornBody::tangent(const Piece& piece) const {
   return out;
 }
 
-std::optional<TornBody::Forces> TornBody::forces(int column, double factor) {
+std::optional<ElementTangents::Forces> ElementTangents::forces(int column, double factor) {
   Forces out;
   for (std::size_t k = 0; k < kOffsets.size(); ++k) {
     VecX there = u_;
@@ -85,7 +85,7 @@ std::optional<TornBody::Forces> TornBody::forces(int column, double factor) {
   return out;
 }
 
-bool TornBody::difference(double factor, std::vector<Quotients>& out) {
+bool ElementTangents::difference(double factor, std::vector<Quotients>& out) {
   const int columns = pieces_.empty() ? 0 : std::ranges::max(pieces_, {}, &Piece::components).components();
   for (int column = 0; column < columns; ++column) {
     const auto force = forces(column, factor);
@@ -96,7 +96,7 @@ bool TornBody::difference(double factor, std::vector<Quotients>& out) {
   return true;
 }
 
-void TornBody::improve(const Piece& piece, int column, double factor, const Forces& force, Quotients& out) {
+void ElementTangents::improve(const Piece& piece, int column, double factor, const Forces& force, Quotients& out) {
   for (int row = 0; row < piece.components(); ++row) {
     const Index at = 2 * piece.first + row;
     const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * piece.step);
@@ -104,7 +104,7 @@ void TornBody::improve(const Piece& piece, int column, double factor, const Forc
   }
 }
 
-bool TornBody::is_certain(const Matrix& exact, const Quotients& differences, int components, double tolerance) {
+bool ElementTangents::is_certain(const Matrix& exact, const Quotients& differences, int components, double tolerance) {
   for (int row = 0; row < components; ++row)
     for (int column = 0; column < components; ++column)
       if (!tangent_check::is_certain(differences[row][column], exact.row(row).cwiseAbs().maxCoeff(), tolerance))
@@ -112,7 +112,7 @@ bool TornBody::is_certain(const Matrix& exact, const Quotients& differences, int
   return true;
 }
 
-std::optional<assembly::Failure> TornBody::check(double load, double tolerance, TangentReport& report) {
+std::optional<assembly::Failure> ElementTangents::check(double load, double tolerance, TangentReport& report) {
   if (auto failure = assembler_.assemble(u_, history_)) return failure;
   matrix_ = assembler_.matrix();
   std::vector<Quotients> differences(pieces_.size());

@@ -1,4 +1,4 @@
-#include "cleft/tangent_check/between.hpp"
+#include "cleft/tangent_check/intermediate_states.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Plain {
 
 std::vector<double> loads(Plain& run, int states) {
   std::vector<double> out;
-  EXPECT_FALSE(visit_between(run.body, states, [&](const StateBetween& b) {
+  EXPECT_FALSE(visit_intermediate_states(run.body, states, [&](const IntermediateState& b) {
     EXPECT_LT(b.before.load, b.load);
     out.push_back(b.load);
     return true;
@@ -44,7 +44,7 @@ TEST(VisitBetween, StopsOnceAnIncrementWhereMoreStatesAreAskedFor) {
 
 TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
   Plain run({"mesh.cells=[2,4]", "loading.steps=4"});
-  EXPECT_FALSE(visit_between(run.body, 1, [&](const StateBetween& b) {
+  EXPECT_FALSE(visit_intermediate_states(run.body, 1, [&](const IntermediateState& b) {
     EXPECT_NEAR(b.before.load, 0.25, 1e-12);
     const VecX& after = run.body.stepper().state().displacement;
     EXPECT_LT((b.displacement - b.before.displacement - 0.37 * (after - b.before.displacement)).norm(), 1e-15);
@@ -56,7 +56,7 @@ TEST(VisitBetween, HandsOverThePartOfTheWayAndTheHistoryBehindIt) {
 TEST(VisitBetween, EndsWhereTheVisitorHasSeenEnough) {
   Plain run({"mesh.cells=[2,4]", "loading.steps=10"});
   int visits = 0;
-  EXPECT_FALSE(visit_between(run.body, 5, [&](const StateBetween&) { return ++visits < 2; }));
+  EXPECT_FALSE(visit_intermediate_states(run.body, 5, [&](const IntermediateState&) { return ++visits < 2; }));
   EXPECT_EQ(visits, 2);
   EXPECT_NEAR(run.body.stepper().state().load, 0.3, 1e-12);
 }
@@ -64,7 +64,7 @@ TEST(VisitBetween, EndsWhereTheVisitorHasSeenEnough) {
 TEST(VisitBetween, StopsOnceMoreWhereTheRunFails) {
   Plain run({"mesh.cells=[2,4]", "solver.max_iterations=1", "solver.min_step=0.04"});
   std::vector<double> seen;
-  const auto failure = visit_between(run.body, 3, [&](const StateBetween& b) {
+  const auto failure = visit_intermediate_states(run.body, 3, [&](const IntermediateState& b) {
     seen.push_back(b.load);
     EXPECT_GT(b.displacement.norm(), 0.0);
     return true;

@@ -1,4 +1,4 @@
-#include "single_points.hpp"
+#include "contact_point_tangents.hpp"
 
 #include <algorithm>
 
@@ -70,21 +70,21 @@ Eigen::MatrixXd dense(const assembly::BlockMatrix& matrix, const std::vector<Ind
 
 }  // namespace
 
-SinglePoints::SinglePoints(const assembly::Model& model, const assembly::History& history, const VecX& u,
-                           const Lengths& lengths)
+ContactPointTangents::ContactPointTangents(const assembly::Model& model, const assembly::History& history,
+                                           const VecX& u, const Lengths& lengths)
     : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_bulk(model)) {
   one_history_.deepest = history.deepest;
   one_history_.contact.resize(1);
 }
 
-void SinglePoints::check(double load, double tolerance, TangentReport& report, std::vector<double>& step) {
+void ContactPointTangents::check(double load, double tolerance, TangentReport& report, std::vector<double>& step) {
   for (Index p = 0; p < static_cast<Index>(whole_.surfaces.points.size()); ++p)
     if (!is_mortar(whole_, p)) check_point(p, load, tolerance, report, step);
 }
 
-const char* SinglePoints::force(assembly::Assembler& assembler, const contact::Pair& base,
-                                const std::vector<Index>& rows, Index component, double move,
-                                std::vector<double>& out) {
+const char* ContactPointTangents::force(assembly::Assembler& assembler, const contact::Pair& base,
+                                        const std::vector<Index>& rows, Index component, double move,
+                                        std::vector<double>& out) {
   const double here = moved_[component];
   moved_[component] += move;
   const auto failure = assembler.assemble(moved_, one_history_);
@@ -95,9 +95,9 @@ const char* SinglePoints::force(assembly::Assembler& assembler, const contact::P
   return kink_between(base, assembler.pairs().front());
 }
 
-SinglePoints::Column SinglePoints::difference(assembly::Assembler& assembler, const contact::Pair& base,
-                                              const std::vector<Index>& rows, Index component,
-                                              const Eigen::VectorXd& scale, double tolerance) {
+ContactPointTangents::Column ContactPointTangents::difference(assembly::Assembler& assembler, const contact::Pair& base,
+                                                              const std::vector<Index>& rows, Index component,
+                                                              const Eigen::VectorXd& scale, double tolerance) {
   Column out;
   std::array<std::vector<double>, kOffsets.size()> at;
   const double least = least_step(reach_, tolerance);
@@ -124,8 +124,8 @@ SinglePoints::Column SinglePoints::difference(assembly::Assembler& assembler, co
   return out;
 }
 
-void SinglePoints::check_point(Index point, double load, double tolerance, TangentReport& report,
-                               std::vector<double>& step) {
+void ContactPointTangents::check_point(Index point, double load, double tolerance, TangentReport& report,
+                                       std::vector<double>& step) {
   const auto& memory = history_.contact[point];
   one_.surfaces.points = {whole_.surfaces.points[point]};
   move_to_origin(point, whole_, u_, one_, moved_);

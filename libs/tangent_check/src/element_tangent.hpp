@@ -12,9 +12,10 @@ namespace cleft::tangent_check {
 
 /// The body torn into its patches and the cells that are in none: each has unknowns of its own, so that the assembler
 /// keeps their forces apart and one component of every piece can be varied at the same time.
-class TornBody {
+class ElementTangents {
  public:
-  TornBody(const assembly::Model& model, const assembly::History& history, const VecX& u, const Lengths& lengths);
+  ElementTangents(const assembly::Model& model, const assembly::History& history, const VecX& u,
+                  const Lengths& lengths);
 
   /// Compares every piece and sums up by its kind. Returns the failure of a state that has no forces.
   [[nodiscard]] std::optional<assembly::Failure> check(double load, double tolerance, TangentReport& report);

@@ -10,11 +10,11 @@ namespace cleft::tangent_check {
 
 /// The force at some displacement (N/m, all components), and the unknowns on which contact points act that stand on
 /// another branch of their law there.
-struct WholeForce {
+struct GlobalForce {
   VecX force;
   std::vector<Index> kinked;
 };
-using Evaluate = std::function<WholeForce(const VecX& u)>;
+using Evaluate = std::function<GlobalForce(const VecX& u)>;
 
 /// The block that takes the entries of a row of unknowns.
 using BlockOfRow = std::function<TangentBlock&(Index unknown)>;
