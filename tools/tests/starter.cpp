@@ -61,7 +61,8 @@ TEST(SceneKeys, ListsAllOfThemOrASection) {
 
   const Outcome table = call("scene mesh.diagonal --markdown");
   ASSERT_EQ(table.code, 0);
-  EXPECT_NE(table.text.find("| `mesh.diagonal` | text | right (lower left to upper right) \\| left"), std::string::npos)
+  EXPECT_NE(table.text.find("| `mesh.diagonal` | text | of structured: right (lower left to upper right) \\| left"),
+            std::string::npos)
       << table.text;
 }
 

@@ -136,8 +136,8 @@ const Table<CrackSpec>& crack_table() {
        Row::value("intensities", &CrackSpec::intensities, "stress intensity factors of its tips, in history.csv")
            .written_if([](const CrackSpec& crack) { return crack.intensities; }),
        Row::section("contact", kItself, contact_table(), "method and penalties"),
-       Row::section("growth", &CrackSpec::growth, growth_table(), "when and how far its tips advance")
-           .otherwise("never")},
+       Row::section("growth", &CrackSpec::growth, growth_table(),
+                    "when and how far its tips advance; without it, never")},
       {"curve", [](const CrackSpec& crack) { return std::string(crack.sine ? "sine" : ""); }},
       finish};
   return table;

@@ -212,6 +212,7 @@ void read(const Table<Spec>& table, const Section& s, Spec& spec) {
     const bool given = s.has(row.name), belongs = table.has(row, spec);
     if (given && !belongs) refuse_owner(s, row.name, row.owners, table.selector.key, table.selector.value(spec));
     if (given) row.read(s, spec);
+    if (row.required && row.name == table.selector.key) s.require(row.name);  // before what depends on it
     if (!given && belongs && row.fill) row.fill(s, spec);
   }
   for (const Row<Spec>& row : table.rows)

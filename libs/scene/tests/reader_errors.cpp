@@ -112,6 +112,9 @@ TEST(SceneReader, ReportsFaultsOfMaterialAndFormulation) {
       {"\"hencky\"", "\"hencky\"\nviscosity = @1e6", "material.viscosity", "is none of model = \"hencky\""},
       {"\"hencky\"", "\"j2\"\nyield_stress = 1e6\nviscosity = @-1", "material.viscosity", "allowed: 0 or greater"},
       {"\"hencky\"", "@3", "material.model", "not a text"},
+      {"[material]\nmodel = \"hencky\"", "@[material]\ncohesion = 1", "material.model", "missing"},
+      {"\"hencky\"", "\"j2\"\nfriction = @0.5", "material.friction",
+       "is none of model = \"j2\"; allowed with drucker-prager"},  // before the yield stress that is missing
       {"young = 1.0e10", "young = @0.0", "material.young", "0 is out of range; allowed: a positive number"},
       {"young = 1.0e10", "young = @-1", "material.young", "out of range"},
       {"young = 1.0e10", "young = @\"stiff\"", "material.young", "not a number"},
@@ -141,6 +144,8 @@ TEST(SceneReader, ReportsFaultsOfGrowth) {
 #define GROWTH "growth = { criterion = \"rankine\", strength = 1e7, radius = 0.01, "
   expect_all_reported({
       {contact, "growth = @{ criterion = \"rankine\" }", "crack[0].growth.strength", "missing"},
+      {contact, "growth = @{ toughness = 1e6 }", "crack[0].growth.criterion",
+       "missing; allowed: text (rankine | hoop-stress)"},
       {contact, "growth = { criterion = @\"griffith\" }", "crack[0].growth.criterion",
        "'griffith' is not available; allowed: rankine, hoop-stress"},
       {contact, GROWTH "advance = @0.0 }", "crack[0].growth.advance", "allowed: a positive number, m"},
