@@ -54,8 +54,8 @@ void add_unknowns(const contact::Surfaces& surfaces, Index face, std::vector<Ind
   out.insert(out.end(), own.begin(), own.end());
   const auto& hats = surfaces.multiplier_space;
   if (hats.empty()) return;
-  for (Index k = hats.first_strip[face]; k < hats.first_strip[face + 1]; ++k) {
-    const auto multipliers = multipliers_of(surfaces, hats.intervals[hats.strips[k].interval]);
+  for (Index k = hats.first_part[face]; k < hats.first_part[face + 1]; ++k) {
+    const auto multipliers = multipliers_of(surfaces, hats.intervals[hats.interval_parts[k].interval]);
     out.insert(out.end(), multipliers.begin(), multipliers.end());
   }
 }
@@ -102,7 +102,7 @@ Assembler::Assembler(const Model& model)
     : model_(model), patches_(patches_of(model)), reserved_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
     History rest{contact::memory_at_rest(model.surfaces)};
-    if (!model.surfaces.multiplier_space.empty()) rest.multiplier_space = contact::multipliers_at_rest(model.surfaces);
+    if (!model.surfaces.multiplier_space.empty()) rest.multipliers = contact::multipliers_at_rest(model.surfaces);
     find_contact(VecX::Zero(model.unknowns.components()), rest, contact::Conditions::OwnState);
     reserve_couplings(rest);
   }
@@ -129,7 +129,7 @@ void Assembler::build_pattern() {
   find_places(matrix_, model_.cells, places_);
   find_places(matrix_, patches_, patch_places_);
   find_places(matrix_, model_.tip_points, tip_places_);
-  opposite_.assign(model_.surfaces.multiplier_space.strips.size(), {});
+  opposite_.assign(model_.surfaces.multiplier_space.interval_parts.size(), {});
   ++version_;
 }
 
@@ -143,9 +143,9 @@ void Assembler::reserve_couplings(const History& history) {
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
     if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
   }
-  for (const auto& piece : multipliers_.pieces())
+  for (const auto& piece : multipliers_.mortar_segments())
     add_with_neighbours(model_.surfaces.faces, piece.partner, kRoom,
-                        reserved_[model_.surfaces.multiplier_space.strips[piece.strip].face]);
+                        reserved_[model_.surfaces.multiplier_space.interval_parts[piece.interval_part].face]);
   for (const auto& anchor_map : history.multipliers.anchor_maps)
     reserved_[anchor_map.face].push_back(anchor_map.anchor_face);
   for (auto& faces : reserved_) {
@@ -156,8 +156,8 @@ void Assembler::reserve_couplings(const History& history) {
 
 bool Assembler::has_couplings(const History& history) const {
   const auto& memory = history.contact;
-  for (const auto& piece : multipliers_.pieces()) {
-    const auto& faces = reserved_[model_.surfaces.multiplier_space.strips[piece.strip].face];
+  for (const auto& piece : multipliers_.mortar_segments()) {
+    const auto& faces = reserved_[model_.surfaces.multiplier_space.interval_parts[piece.interval_part].face];
     const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(piece.partner)) return false;
     if (piece.anchor_map != kNone && !holds(history.multipliers.anchor_maps[piece.anchor_map].anchor_face))

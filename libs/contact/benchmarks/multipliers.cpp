@@ -27,7 +27,7 @@ void multipliers(benchmark::State& state, contact::NegativeSide side) {
   slider.look(u);
   const auto rest = contact::multipliers_at_rest(surfaces);
   multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, rest);
-  const auto memory = multipliers.advance(surfaces, slider.search.positions(), rest).memory;
+  const auto memory = multipliers.commit(surfaces, slider.search.positions(), rest).memory;
   const auto displacements = 2 * slider.unknowns.displacements();
   u.head(displacements) = slider.shift({0.33 + 0.37 / cells, -1e-3}).head(displacements);
   slider.look(u);

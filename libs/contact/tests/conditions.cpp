@@ -210,7 +210,7 @@ TEST(NodeCondition, NothingThatSticksAsksForAChangeWhereNothingMoves) {
       for (const double along : {0.0, 0.11, 0.23, 0.26}) {
         Joint joint(smoothing, side);
         const Place place = joint.place({along, 0.0}, -1.0, 0.1);
-        joint.hats_memory = joint.at(place).advance(joint.surfaces, joint.search.positions(), joint.hats_memory).memory;
+        joint.hats_memory = joint.at(place).commit(joint.surfaces, joint.search.positions(), joint.hats_memory).memory;
         const auto m = joint.at(place);
         int seen = 0;
         for (Index i = 0; i < joint.nodes(); ++i) {

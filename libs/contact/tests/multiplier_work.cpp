@@ -35,7 +35,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
     s.look(x);
     Multipliers now;
     now.run(s.surfaces, s.search.positions(), s.pairs, x, before);
-    return now.advance(s.surfaces, s.search.positions(), before);
+    return now.commit(s.surfaces, s.search.positions(), before);
   }
 };
 INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));

@@ -60,7 +60,7 @@ struct Slider {
   void look(const VecX& u) { search.run(surfaces, u, memory, 0.0, pairs); }
   void commit() {
     for (std::size_t p = 0; p < pairs.size(); ++p)
-      memory[p] = commit(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
+      memory[p] = contact::commit(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
   }
 };
 

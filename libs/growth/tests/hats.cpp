@@ -43,9 +43,9 @@ TEST(HatTransfer, ToTheSameCrackChangesNothing) {
   }
   EXPECT_GT(most, 1e-6) << "nodes must have slid";
   EXPECT_EQ(after.history.multipliers.stored, before.stored);
-  ASSERT_EQ(after.history.multipliers.trails.size(), before.trails.size());
-  for (std::size_t k = 0; k < before.trails.size(); ++k) {
-    const auto &a = after.history.multipliers.trails[k], &b = before.trails[k];
+  ASSERT_EQ(after.history.multipliers.anchor_maps.size(), before.anchor_maps.size());
+  for (std::size_t k = 0; k < before.anchor_maps.size(); ++k) {
+    const auto &a = after.history.multipliers.anchor_maps[k], &b = before.anchor_maps[k];
     EXPECT_EQ(a.face, b.face);
     EXPECT_EQ(a.anchor_face, b.anchor_face);
     EXPECT_NEAR(a.begin, b.begin, 1e-10);

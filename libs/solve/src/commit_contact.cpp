@@ -36,7 +36,7 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
 
   if (!model.surfaces.multiplier_space.empty()) {
     auto& hats = history.multipliers;
-    auto step = assembler.multipliers().advance(model.surfaces, assembler.face_positions(), hats);
+    auto step = assembler.multipliers().commit(model.surfaces, assembler.face_positions(), hats);
     energies.contact += step.memory.stored;
     energies.friction_dissipation += step.friction;
     energies.contact_pressure_work += step.pressure;

@@ -117,7 +117,7 @@ TEST(Patches, DoNotDependOnWhereTheOriginIs) {
   };
   for (const Vec2& corner : {Vec2(0.1, -0.3), Vec2(31.7, 1e3 / 3.0), Vec2(-1e4 / 7.0, 1e5 / 9.0)}) {
     EXPECT_EQ(structured(corner), structured(Vec2::Zero()));
-    EXPECT_EQ(delaunay_square(0.05, corner).mate, delaunay_square(0.05).mate);
+    EXPECT_EQ(delaunay_square(0.05, corner).f_bar_partner, delaunay_square(0.05).f_bar_partner);
   }
 }
 

@@ -42,7 +42,7 @@ bool faces_another_place(const contact::Multipliers& a, const contact::Multiplie
   const auto &f = a.facing()[node], &g = b.facing()[node];
   if (f.overlap == kNone || g.overlap == kNone) return f.overlap != g.overlap;
   const auto &o = a.mortar_pairs()[f.overlap], &p = b.mortar_pairs()[g.overlap];
-  return f.strip != g.strip || o.strip != p.strip || o.partner != p.partner ||
+  return f.interval_part != g.interval_part || o.interval_part != p.interval_part || o.partner != p.partner ||
          f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
 }
 
@@ -63,16 +63,16 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
   const auto add_piece = [&](const contact::MortarSegment& piece) {
-    const auto& strip = hats.strips[piece.strip];
-    add_nodes(strip.interval);
-    for (const Index face : {strip.face, piece.partner})
+    const auto& interval_part = hats.interval_parts[piece.interval_part];
+    add_nodes(interval_part.interval);
+    for (const Index face : {interval_part.face, piece.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
   // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
   // end of a anchor map the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths
   // jumps that compares the tractions of two faces with hats.
   const auto at_end = [&](const contact::MortarSegment& piece) {
-    const auto& face = surfaces.faces[hats.strips[piece.strip].face];
+    const auto& face = surfaces.faces[hats.interval_parts[piece.interval_part].face];
     return std::array{face.previous == kNone && piece.begin == 0.0, face.next == kNone && piece.end == 1.0};
   };
   const auto stands_out = [&](const contact::MortarSegment& piece) {
@@ -80,12 +80,12 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
     return piece.anchor_map == kNone || hats.on(piece.partner) || first || last;
   };
   const auto alike = [&](const contact::MortarSegment& p, const contact::MortarSegment& q) {
-    return p.strip == q.strip && (p.anchor_map == kNone) == (q.anchor_map == kNone) && at_end(p) == at_end(q) &&
+    return p.interval_part == q.interval_part && (p.anchor_map == kNone) == (q.anchor_map == kNone) && at_end(p) == at_end(q) &&
            (!hats.on(p.partner) || p.partner == q.partner);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
-    for (const auto& piece : of.pieces())
-      if (stands_out(piece) && std::ranges::none_of(in.pieces(), [&](const auto& q) { return alike(piece, q); }))
+    for (const auto& piece : of.mortar_segments())
+      if (stands_out(piece) && std::ranges::none_of(in.mortar_segments(), [&](const auto& q) { return alike(piece, q); }))
         add_piece(piece);
   };
   add_missing(a, b);

@@ -63,12 +63,12 @@ class Assembler {
 
   struct PairColumns;  // the unknowns that the force at a contact point depends on
 
-  // A face that was opposite a strip of hats, and where in the matrix their unknowns depend on each other: row by row.
+  // A face that was opposite a interval part of hats, and where in the matrix their unknowns depend on each other: row by row.
   struct Opposite {
     Index face;
     std::vector<BlockMatrix::Place> places;
   };
-  const std::vector<BlockMatrix::Place>& places_of(Index strip, Index face);
+  const std::vector<BlockMatrix::Place>& places_of(Index interval_part, Index face);
 
   void build_pattern();
   void reserve_couplings(const History& history);
@@ -108,7 +108,7 @@ class Assembler {
   std::vector<Places<3>> places_;  // of the cells
   std::vector<Places<4>> patch_places_;
   std::vector<Places<7>> tip_places_;            // of the tips' points
-  std::vector<std::vector<Opposite>> opposite_;  // per strip of the hats, those met since the pattern was built
+  std::vector<std::vector<Opposite>> opposite_;  // per interval part of the hats, those met since the pattern was built
   ReservedCouplings reserved_;
   long version_ = 0;
   AssemblySeconds seconds_;

@@ -46,7 +46,7 @@ struct Surfaces {
   std::vector<Springs> springs;     ///< per crack, of penalty contact; of a crack with mortar contact it plays no part
   std::vector<NegativeSide> sides;  ///< per crack
   std::vector<Mortar> mortar{};     ///< per crack; empty: all by penalty
-  MultiplierSpace hats{};           ///< on the negative faces of the cracks with mortar contact
+  MultiplierSpace multiplier_space{};           ///< on the negative faces of the cracks with mortar contact
   Index first_multiplier = kNone;   ///< unknown of the first hat's multipliers (l_N, l_T), which the others follow
   double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
   double search_radius = 0.0;       ///< 0: by scale
