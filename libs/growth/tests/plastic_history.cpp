@@ -143,7 +143,7 @@ TEST_P(ElementTangents, KeepsToTheLastBitWhatIsNotMixed) {
 Plastic invented(const Model& model, bool mirrored) {
   Plastic out;
   for (Index p = 0; p < static_cast<Index>(model.material_points()); ++p) {
-    const auto [element, side, X] = assembly::material_point(model, p);
+    const auto [element, side, X, at_tip] = assembly::material_point(model, p);
     const double x = mirrored ? 1.0 - X.x() : X.x(), one = mirrored ? -1.0 : 1.0,
                  jump = side ? (*side == geometry::Side::Left ? one : -one) : 0.0;
     out.push_back({{0.2 * x + 0.1 * jump, 0.3 * X.y(), one * (0.2 * x * X.y() - 0.1), -0.1 * jump}, 1.0 + x + jump});

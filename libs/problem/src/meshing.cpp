@@ -32,7 +32,8 @@ std::vector<Vec2> points_of(const CrackSpec& spec, double size) {
   }
 }
 
-// What geometry finds wrong, by its own names of its arguments: keys of the mesh, or of a part of it (`part`, with a dot).
+// What geometry finds wrong, by its own names of its arguments: keys of the mesh, or of a part of it (`part`, with a
+// dot).
 template <class Make>
 auto located(const Location& at, const std::string& part, const Make& make) {
   try {
@@ -44,8 +45,7 @@ auto located(const Location& at, const std::string& part, const Make& make) {
 
 geometry::Mesh fill(const StructuredMesh& spec, const Specification& scene) {
   if (!spec.focus)
-    return located(scene.mesh.at, "",
-                   [&] { return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal); });
+    return located(scene.mesh.at, "", [&] { return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal); });
   const auto lines = [&](int k) {
     const auto& box = spec.focus->box;
     return located(scene.mesh.at, "focus.", [&] {

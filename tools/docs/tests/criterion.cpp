@@ -21,10 +21,6 @@ namespace cleft::growth {
 struct EnergyRelease {
   double resistance = 0.0;  // J/m^2
 
-  static constexpr const char* kNoAnswer =
-      "the body ends, or the crack bends, within half an element size: too near for stress intensities";
-  static constexpr const char* kAdvice = "longer advances (growth.advance), or a finer mesh where the crack grows";
-
   Demand judge(const assembly::Equilibrium& body, const TipName& tip) const {
     Demand out;
     out.intensities = growth::intensities_by_integral(body, geometry::ball_at(body.model.cut, tip.crack, tip.end));
