@@ -78,7 +78,7 @@ std::vector<std::string> remarks_on_growth(const problem::Specification& scene, 
   if (may && !did)
     out.push_back(
         fmt::format("no tip advanced; the largest demand at the end is {:.3g}, and 1 is what the criteria ask for",
-                    record.measure));
+                    record.ratio));
   return out;
 }
 

@@ -184,7 +184,7 @@ TEST(RemarksOnGrowth, SayThatNothingGrewThatATipIsHinderedAndThatAPathTurnsToAnd
   growth::Record record;
   record.points = {{{0, 0}, {1, 0}}, {{0, 2}, {1, 2}}};
   record.tips.resize(2);
-  record.measure = 0.41;
+  record.ratio = 0.41;
   EXPECT_EQ(joined(remarks_on_growth(scene, record)),
             "no tip advanced; the largest demand at the end is 0.41, and 1 is what the criteria ask for\n");
   record.points[0] = {{0, 0}, {1, 0}, {2, 0.1}, {3, 0.4}, {4, 0.9}};

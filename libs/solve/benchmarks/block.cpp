@@ -24,7 +24,7 @@ BENCHMARK(assemble)->Arg(16)->Arg(64);
 // In the last iteration of an increment in which the faces slide, by springs or by multipliers.
 void assemble_contact(benchmark::State& state, contact::NegativeSide side, bool mortar) {
   auto model = models::block(static_cast<int>(state.range(0)), side);
-  if (mortar) models::give_hats(model);
+  if (mortar) models::use_mortar(model);
   LoadStepper stepper(model, {});
   for (int k = 0; k < 4; ++k)
     if (std::holds_alternative<assembly::Failure>(stepper.advance())) return state.SkipWithError("an increment failed");

@@ -17,7 +17,6 @@ assembly::Model enriched_block(std::int64_t across, std::int64_t elements) {
   m.cracks[0].tip_radius = static_cast<double>(elements) * 0.04 / static_cast<double>(across);
   m.surfaces = {};
   models::discretise(m, 1.0, 0.3, contact::NegativeSide::Left, 1e10);
-  m.tip_points = enrichment::make_tip_points(m.mesh, m.cut, m.unknowns);
   return m;
 }
 

@@ -75,7 +75,7 @@ assembly::Model dragged(double& turn) {
   assembly::Model m = models::block(8, contact::NegativeSide::Left);
   m.cracks = {{"main", {{-0.001, 0.0401}, {0.041, 0.0401}}}};
   models::discretise(m, 1.0, 0.3, contact::NegativeSide::Left, 1e10);
-  models::give_hats(m);
+  models::use_mortar(m);
   m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {0, 0})};
   m.prescribed[1].displacement = [&turn](const Vec2&, geometry::MaybeSide, double load) {
     const double along = std::max(0.0, load <= turn ? (load - 0.1) / (turn - 0.1) : (1.0 - load) / (1.0 - turn));

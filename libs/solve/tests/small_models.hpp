@@ -1,27 +1,28 @@
 // Small models that several tests use.
 #pragma once
 
-#include <cmath>
-
+#include "cleft/problem/build.hpp"
 #include "cleft/solve/stepping.hpp"
 
 namespace cleft::solve::models {
 
+/// Makes a model of its mesh and its cracks, elastic (Hencky, nu = 0.25) and with springs of `penalty_scale` E/h.
 inline void discretise(assembly::Model& m, double penalty_scale, double friction, contact::NegativeSide side,
                        double young) {
-  m.cut = geometry::cut(m.mesh, m.cracks);
-  m.unknowns = enrichment::number_unknowns(m.mesh, m.cut);
-  m.cells = enrichment::make_cells(m.mesh, m.cut, m.unknowns);
-  m.ties = enrichment::make_ghost_ties(m.mesh, m.cut, m.unknowns, m.cells);
-  m.materials = {constitutive::Hencky{constitutive::lame(young, 0.25)}};
-  if (m.cracks.empty()) return;
-  auto& s = m.surfaces;
-  s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
-  s.element_size = std::sqrt(2.0 * geometry::triangle_area(m.mesh, 0));
-  s.laws.assign(m.cracks.size(), contact::Coulomb{friction});
-  s.springs.assign(m.cracks.size(), {penalty_scale * young / s.element_size, penalty_scale * young / s.element_size});
-  s.sides.assign(m.cracks.size(), side);
-  s.points = contact::place_points(s, 2);
+  problem::Specification body;
+  body.materials.emplace_back();
+  body.materials.back().model = "hencky";
+  body.materials.back().young = young;
+  body.materials.back().poisson = 0.25;
+  for (const auto& crack : m.cracks) {
+    auto& spec = body.cracks.emplace_back();
+    spec.name = crack.name;
+    spec.friction = friction;
+    spec.negative_side = side;
+    spec.mortar.on = false;
+    spec.normal_penalty = spec.tangential_penalty = penalty_scale * young / geometry::element_size(m.mesh, 0);
+  }
+  m = problem::recut(body, m, m.cracks);
 }
 
 inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
@@ -32,7 +33,7 @@ inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {
 }
 
 /// Contact by multipliers instead of springs, on all cracks.
-inline void give_hats(assembly::Model& m) {
+inline void use_mortar(assembly::Model& m) {
   auto& s = m.surfaces;
   for (auto& springs : s.springs) {
     s.mortar.push_back({true, 1.0, 2.0, springs.normal, 1.0 / springs.normal});

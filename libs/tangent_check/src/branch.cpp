@@ -40,8 +40,8 @@ namespace {
 // none where the other face ends before it.
 bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
   const auto &f = a.facing()[node], &g = b.facing()[node];
-  if (f.overlap == kNone || g.overlap == kNone) return f.overlap != g.overlap;
-  const auto &o = a.mortar_pairs()[f.overlap], &p = b.mortar_pairs()[g.overlap];
+  if (f.mortar_pair == kNone || g.mortar_pair == kNone) return f.mortar_pair != g.mortar_pair;
+  const auto &o = a.mortar_pairs()[f.mortar_pair], &p = b.mortar_pairs()[g.mortar_pair];
   return f.interval_part != g.interval_part || o.interval_part != p.interval_part || o.partner != p.partner ||
          f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
 }
