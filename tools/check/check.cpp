@@ -135,11 +135,11 @@ int check(const Options& options) {
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));
     const auto& springs = model.surfaces.springs[k];
-    const double friction = scene.cracks[k].friction;
+    const double friction = std::get<contact::Coulomb>(scene.cracks[k].law).friction;  // the law that files know
     if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
     const auto& mortar = scene.cracks[k].mortar;
-    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, hats of {} element sizes", friction,
-                                      mortar.smoothing, mortar.hat_width)
+    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, multipliers every {} element sizes",
+                                      friction, mortar.smoothing, mortar.hat_width)
                         : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", friction, springs.normal,
                                       springs.tangential));
   }

@@ -1,4 +1,4 @@
-// The collapse load of a interval part footing, and how far triangles lock on the way to it.
+// The collapse load of a strip footing, and how far triangles lock on the way to it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -24,7 +24,7 @@ class Columns {
       if (s != 0.0 || e != 0.0) columns_[count_++] = {face.start.unknown[k], s, e, input};
     }
   }
-  // The multipliers of both nodes of the interval of a interval part.
+  // The multipliers of both nodes of the interval of an interval part.
   void add(const contact::Surfaces& surfaces, Index interval_part, int input) {
     const double scale =
         surfaces.mortar[surfaces.faces[surfaces.multiplier_space.interval_parts[interval_part].face].crack].scale;
@@ -42,7 +42,7 @@ class Columns {
   int count_ = 0;
 };
 
-// A interval part and a face opposite it: the unknowns of the interval part's face, of the other one and of the
+// An interval part and a face opposite it: the unknowns of the interval part's face, of the other one and of the
 // interval part's nodes.
 Columns columns_of(const contact::Surfaces& surfaces, Index interval_part, Index face) {
   Columns out;
@@ -62,7 +62,7 @@ Mat2 block_of(const Rows& rows, const Column& column) {
 
 }  // namespace
 
-// Where in the matrix a interval part and a face opposite it depend on each other, row by row.
+// Where in the matrix an interval part and a face opposite it depend on each other, row by row.
 const std::vector<BlockMatrix::Place>& Assembler::places_of(Index interval_part, Index face) {
   auto& met = opposite_[interval_part];
   for (const auto& [other, places] : met)
@@ -74,11 +74,11 @@ const std::vector<BlockMatrix::Place>& Assembler::places_of(Index interval_part,
   return places;
 }
 
-void Assembler::assemble_hats(const contact::MultiplierState& memory) {
+void Assembler::assemble_multipliers(const contact::MultiplierState& memory) {
   const PhaseTimer timer(seconds_.contact);
   const auto& m = multipliers_;
   for (std::size_t o = 0; o < m.mortar_pairs().size(); ++o) {
-    add_overlap(o);
+    add_mortar_pair(o);
     for (Index p = m.mortar_pairs()[o].first; p < m.mortar_pairs()[o].last; ++p)
       if (m.mortar_segments()[p].anchor_map != kNone && !model_.surfaces.undeformed)
         add_anchor(p, memory.anchor_maps[m.mortar_segments()[p].anchor_map].anchor_face);
@@ -90,7 +90,7 @@ void Assembler::assemble_hats(const contact::MultiplierState& memory) {
 }
 
 // Forces, and the integrals in the conditions of its two nodes.
-void Assembler::add_overlap(std::size_t number) {
+void Assembler::add_mortar_pair(std::size_t number) {
   const auto& hats = model_.surfaces.multiplier_space;
   const auto& [interval_part, partner, first, last] = multipliers_.mortar_pairs()[number];
   const auto& integrals = multipliers_.integrals()[number];

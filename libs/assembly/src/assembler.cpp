@@ -11,7 +11,7 @@ namespace cleft::assembly {
 namespace {
 
 // Faces on either side of a partner for which the pattern keeps room.
-constexpr int kRoom = 2;
+constexpr int kReservedNeighbours = 2;
 
 void add_with_neighbours(const std::vector<enrichment::Face>& faces, Index face, int reach, std::vector<Index>& out) {
   out.push_back(face);
@@ -101,7 +101,7 @@ AssemblySeconds& AssemblySeconds::operator+=(const AssemblySeconds& other) {
 Assembler::Assembler(const Model& model)
     : model_(model), patches_(patches_of(model)), reserved_(model.surfaces.faces.size()) {
   if (model.has_contact()) {
-    History rest{contact::memory_at_rest(model.surfaces)};
+    History rest{contact::contact_at_rest(model.surfaces)};
     if (!model.surfaces.multiplier_space.empty()) rest.multipliers = contact::multipliers_at_rest(model.surfaces);
     find_contact(VecX::Zero(model.unknowns.components()), rest, contact::Conditions::OwnState);
     reserve_couplings(rest);
@@ -139,13 +139,13 @@ void Assembler::reserve_couplings(const History& history) {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     auto& faces = reserved_[model_.surfaces.points[p].face];
     if (pairs_[p].partner_face != kNone)
-      add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kRoom, faces);
+      add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kReservedNeighbours, faces);
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
     if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
   }
-  for (const auto& piece : multipliers_.mortar_segments())
-    add_with_neighbours(model_.surfaces.faces, piece.partner, kRoom,
-                        reserved_[model_.surfaces.multiplier_space.interval_parts[piece.interval_part].face]);
+  for (const auto& mortar_segment : multipliers_.mortar_segments())
+    add_with_neighbours(model_.surfaces.faces, mortar_segment.partner, kReservedNeighbours,
+                        reserved_[model_.surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face]);
   for (const auto& anchor_map : history.multipliers.anchor_maps)
     reserved_[anchor_map.face].push_back(anchor_map.anchor_face);
   for (auto& faces : reserved_) {
@@ -156,11 +156,12 @@ void Assembler::reserve_couplings(const History& history) {
 
 bool Assembler::has_couplings(const History& history) const {
   const auto& memory = history.contact;
-  for (const auto& piece : multipliers_.mortar_segments()) {
-    const auto& faces = reserved_[model_.surfaces.multiplier_space.interval_parts[piece.interval_part].face];
+  for (const auto& mortar_segment : multipliers_.mortar_segments()) {
+    const auto& faces = reserved_[model_.surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face];
     const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
-    if (!holds(piece.partner)) return false;
-    if (piece.anchor_map != kNone && !holds(history.multipliers.anchor_maps[piece.anchor_map].anchor_face))
+    if (!holds(mortar_segment.partner)) return false;
+    if (mortar_segment.anchor_map != kNone &&
+        !holds(history.multipliers.anchor_maps[mortar_segment.anchor_map].anchor_face))
       return false;
   }
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
@@ -195,7 +196,7 @@ std::optional<Failure> Assembler::assemble(const VecX& displacement, const Histo
   matrix_is_final_ = model_.is_linear();
   if (model_.has_contact()) {
     assemble_contact(history.contact);
-    if (!model_.surfaces.multiplier_space.empty()) assemble_hats(history.multipliers);
+    if (!model_.surfaces.multiplier_space.empty()) assemble_multipliers(history.multipliers);
     force_ += contact_force_;
   }
   for (Eigen::Index c = 0; c < force_.size(); ++c)

@@ -41,10 +41,10 @@ class Pairing {
     same_ = 1e-9 * (high - low).norm();
   }
 
-  // The mate of each of so many pieces; those first whose triangles are `mates` of each other.
-  std::vector<Index> operator()(std::size_t pieces, std::vector<Side> sides, const std::vector<Index>& mates) const {
+  // The partner of each of so many pieces; those first whose triangles are `partners` of each other.
+  std::vector<Index> operator()(std::size_t pieces, std::vector<Side> sides, const std::vector<Index>& partners) const {
     std::vector<Index> out(pieces, kNone);
-    for (const Candidate& next : candidates(std::move(sides), mates)) {
+    for (const Candidate& next : candidates(std::move(sides), partners)) {
       const auto [a, b] = next.pieces;
       if (out[a] != kNone || out[b] != kNone) continue;
       out[a] = b;
@@ -59,20 +59,20 @@ class Pairing {
     return a.triangle != b.triangle && material_[a.triangle] == material_[b.triangle];
   }
 
-  Candidate candidate(const Side& a, const Side& b, const std::vector<Index>& mates) const {
+  Candidate candidate(const Side& a, const Side& b, const std::vector<Index>& partners) const {
     const auto& node = mesh_.triangles[a.triangle];
     const Vec2 &start = mesh_.nodes[node[a.corner]], &end = mesh_.nodes[node[(a.corner + 1) % 3]];
-    const bool again = !mates.empty() && mates[a.triangle] == b.triangle;
+    const bool again = !partners.empty() && partners[a.triangle] == b.triangle;
     return {again, (end - start).norm(), 0.5 * (start + end), {a.piece, b.piece}};
   }
 
   // Of the edge at which a crack ends three cells meet, two of them with the crack between.
-  std::vector<Candidate> candidates(std::vector<Side> sides, const std::vector<Index>& mates) const {
+  std::vector<Candidate> candidates(std::vector<Side> sides, const std::vector<Index>& partners) const {
     std::vector<Candidate> out;
     std::ranges::stable_sort(sides, {}, &Side::edge);
     for (auto side = sides.begin(); side != sides.end();) {
       const auto next = std::find_if(side, sides.end(), [&](const Side& other) { return other.edge != side->edge; });
-      if (next - side == 2 && may_pair(side[0], side[1])) out.push_back(candidate(side[0], side[1], mates));
+      if (next - side == 2 && may_pair(side[0], side[1])) out.push_back(candidate(side[0], side[1], partners));
       side = next;
     }
     for (auto& one : out) one.rank[0] = one.again ? 0 : 1;

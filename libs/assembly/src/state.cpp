@@ -49,7 +49,7 @@ State state_at_rest(const Model& model) {
   State state;
   state.displacement = VecX::Zero(model.unknowns.components());
   state.previous_displacement = state.displacement;
-  state.history.contact = contact::memory_at_rest(model.surfaces);
+  state.history.contact = contact::contact_at_rest(model.surfaces);
   if (!model.surfaces.multiplier_space.empty())
     state.history.multipliers = contact::multipliers_at_rest(model.surfaces);
   if (model.has_memory()) state.history.plastic.resize(model.material_points());
@@ -84,12 +84,12 @@ constitutive::PlasticWork plastic_dissipation(const Model& model, const VecX& di
     if constexpr (constitutive::PathDependent<Law>)
       for_each_material_point(model, range, [&](std::size_t p, const auto&, double weight) {
         const auto number = static_cast<Index>(p);
-        const Index mate = p < model.f_bar_partner.size() ? model.f_bar_partner[p] : kNone;
-        if (mate == kNone) {
+        const Index partner = p < model.f_bar_partner.size() ? model.f_bar_partner[p] : kNone;
+        if (partner == kNone) {
           const Mat2 F = deformation(model, number, displacement);
           add(law.dissipation(F, before.plastic[p], before.duration), weight);
-        } else if (number < mate) {
-          const OfPatch<Index> cells{number, mate};
+        } else if (number < partner) {
+          const OfPatch<Index> cells{number, partner};
           const DeformedPatch patch = deformed(model, cells, displacement);
           add(law.dissipation(patch.strained, past_of(patch.share, cells, before.plastic, before.duration)),
               weight / patch.share[0]);

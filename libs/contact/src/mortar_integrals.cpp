@@ -99,15 +99,15 @@ class Integral {
   Integral(const Surfaces& surfaces, const FacePositions& at, Index number, Index partner,
            const std::array<Vec2, 2>& multipliers, MortarIntegrals& out)
       : at_(at),
-        strip_(surfaces.multiplier_space.interval_parts[number]),
-        faces_(surfaces, at, strip_.face, partner),
+        interval_part_(surfaces.multiplier_space.interval_parts[number]),
+        faces_(surfaces, at, interval_part_.face, partner),
         multipliers_(multipliers),
-        hat_(second_hat_of(surfaces, strip_)),
+        hat_(second_hat_of(surfaces, interval_part_)),
         slope_(hat_.slope * (multipliers[1] - multipliers[0])),
         out_(out) {
-    const auto& face = surfaces.faces[strip_.face];
+    const auto& face = surfaces.faces[interval_part_.face];
     const auto& hats = surfaces.multiplier_space;
-    const auto& interval = hats.intervals[strip_.interval];
+    const auto& interval = hats.intervals[interval_part_.interval];
     const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
     const double length = length_at_rest(face);
     half_ = 0.5 * factor * length;
@@ -118,7 +118,7 @@ class Integral {
     out_.node_by.setZero();
   }
 
-  void add_piece(const MortarSegment& mortar_segment, const AnchorMap* anchor_map, SlipByAnchor& by_anchor) {
+  void add_mortar_segment(const MortarSegment& mortar_segment, const AnchorMap* anchor_map, SlipByAnchor& by_anchor) {
     const ValueAndGradient begin = faces_.bound(mortar_segment.begin_at, mortar_segment.begin),
                            end = faces_.bound(mortar_segment.end_at, mortar_segment.end);
     const ValueAndGradient weight{half_ * (end.value - begin.value), half_ * (end.by - begin.by)};
@@ -217,7 +217,7 @@ class Integral {
   }
 
   const FacePositions& at_;
-  const IntervalPart& strip_;
+  const IntervalPart& interval_part_;
   const Faces faces_;
   const std::array<Vec2, 2>& multipliers_;
   const Linear hat_;
@@ -235,9 +235,9 @@ void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vec
                MortarIntegrals& out, std::span<SlipByAnchor> by_anchor) {
   Integral sum(surfaces, at, mortar_segments.front().interval_part, mortar_segments.front().partner, multipliers, out);
   for (std::size_t p = 0; p < mortar_segments.size(); ++p)
-    sum.add_piece(mortar_segments[p],
-                  mortar_segments[p].anchor_map == kNone ? nullptr : &anchor_maps[mortar_segments[p].anchor_map],
-                  by_anchor[p]);
+    sum.add_mortar_segment(
+        mortar_segments[p],
+        mortar_segments[p].anchor_map == kNone ? nullptr : &anchor_maps[mortar_segments[p].anchor_map], by_anchor[p]);
   sum.add_couple();
 }
 

@@ -106,10 +106,12 @@ void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& t
   tiles = std::move(out);
 }
 
-// Adds the parts of a tile that lie in a interval part, by anchor map; `first` and `last` bound the face's anchor maps.
-void add_pieces(const std::vector<AnchorMap>& anchor_maps, Index first, Index last, const IntervalPart& interval_part,
-                Index number, const Tile& tile, std::vector<MortarSegment>& out) {
-  // Where a anchor map ends opposite an end of the partner, as after sticking, it is the partner's end that moves.
+// Adds the parts of a tile that lie in an interval part, by anchor map; `first` and `last` bound the face's anchor
+// maps.
+void add_mortar_segments(const std::vector<AnchorMap>& anchor_maps, Index first, Index last,
+                         const IntervalPart& interval_part, Index number, const Tile& tile,
+                         std::vector<MortarSegment>& out) {
+  // Where an anchor map ends opposite an end of the partner, as after sticking, it is the partner's end that moves.
   const auto gives_way = [&](double bound) {
     return bound > interval_part.begin + kCrumb && bound < interval_part.end - kCrumb ? -kCrumb : kCrumb;
   };
@@ -152,7 +154,8 @@ std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const 
   std::vector<Tile> tiles;
   const auto& hats = surfaces.multiplier_space;
   Index anchor_map = 0, point = 0;
-  const auto points = static_cast<Index>(surfaces.points.size()), all_trails = static_cast<Index>(anchor_maps.size());
+  const auto points = static_cast<Index>(surfaces.points.size()),
+             all_anchor_maps = static_cast<Index>(anchor_maps.size());
   for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
     if (!hats.on(f)) continue;
     tiles.clear();
@@ -166,11 +169,12 @@ std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const 
           walk(surfaces, at, ray, seed, tiles);
       make_disjoint(at, ray, tiles);
     }
-    while (anchor_map < all_trails && anchor_maps[anchor_map].face < f) ++anchor_map;
+    while (anchor_map < all_anchor_maps && anchor_maps[anchor_map].face < f) ++anchor_map;
     Index end = anchor_map;
-    while (end < all_trails && anchor_maps[end].face == f) ++end;
+    while (end < all_anchor_maps && anchor_maps[end].face == f) ++end;
     for (Index s = hats.first_part[f]; s < hats.first_part[f + 1]; ++s)
-      for (const Tile& tile : tiles) add_pieces(anchor_maps, anchor_map, end, hats.interval_parts[s], s, tile, out);
+      for (const Tile& tile : tiles)
+        add_mortar_segments(anchor_maps, anchor_map, end, hats.interval_parts[s], s, tile, out);
   }
   return out;
 }

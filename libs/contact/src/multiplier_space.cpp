@@ -6,7 +6,7 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kNoStrip = 1e-9;  // of a face: a interval part that is no longer is none
+constexpr double kNoPart = 1e-9;  // of a face: an interval part that is no longer is none
 
 double length_of(const enrichment::Face& face) { return face.s_end - face.s_start; }
 
@@ -50,9 +50,9 @@ void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<Mul
     double begin = 0.0;
     while (begin < 1.0) {
       const double end = k + 1 < count ? (s[k + 1] - faces[f].s_start) / length_of(faces[f]) : 1.0;
-      const bool last = end >= 1.0 - kNoStrip;
-      if (end > begin + kNoStrip) interval_parts[f].push_back({f, first + k, begin, last ? 1.0 : end});
-      if (end <= 1.0 + kNoStrip && k + 1 < count) ++k;
+      const bool last = end >= 1.0 - kNoPart;
+      if (end > begin + kNoPart) interval_parts[f].push_back({f, first + k, begin, last ? 1.0 : end});
+      if (end <= 1.0 + kNoPart && k + 1 < count) ++k;
       if (last) break;
       begin = std::max(begin, end);
     }

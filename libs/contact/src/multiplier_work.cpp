@@ -124,8 +124,9 @@ double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at
 }
 
 // theory (8.7)
-HatAdvance Multipliers::commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const {
-  HatAdvance out{remembered(surfaces, at)};
+CommittedMultipliers Multipliers::commit(const Surfaces& surfaces, const FacePositions& at,
+                                         const MultiplierState& before) const {
+  CommittedMultipliers out{remembered(surfaces, at)};
   out.pressure = before.stored - out.memory.stored + mouth_work(surfaces, at, before);
   out.memory.state = before.state;
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {

@@ -71,7 +71,7 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
     nodes_[i].normal = scale * x[at_x];
     nodes_[i].tangential = scale * x[at_x + 1];
   }
-  find_overlaps(surfaces, at, pairs, memory);
+  find_mortar_pairs(surfaces, at, pairs, memory);
   facing_.clear();
   if (has_hats_on_both_faces(surfaces)) face_each_other(surfaces, at);
   find_reached(surfaces);
@@ -80,8 +80,8 @@ void Multipliers::run(const Surfaces& surfaces, const FacePositions& at, const s
 }
 
 // theory (8.2)
-void Multipliers::find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                                const MultiplierState& memory) {
+void Multipliers::find_mortar_pairs(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
+                                    const MultiplierState& memory) {
   const auto& hats = surfaces.multiplier_space;
   mortar_segments_ = find_mortar_segments(surfaces, at, pairs, memory.anchor_maps);
   mortar_pairs_ = mortar_pairs_of(mortar_segments_);

@@ -52,7 +52,7 @@ std::vector<Point> place_points(const Surfaces& surfaces, int per_segment) {
   return points;
 }
 
-std::vector<ContactState> memory_at_rest(const Surfaces& surfaces) {
+std::vector<ContactState> contact_at_rest(const Surfaces& surfaces) {
   std::vector<ContactState> memory;
   memory.reserve(surfaces.points.size());
   for (const auto& point : surfaces.points) memory.push_back({enrichment::opposite_face(point.face), point.eta});

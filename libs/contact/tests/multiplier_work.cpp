@@ -29,7 +29,7 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
     return out;
   }
   // After an increment that took the upper block by `by`.
-  HatAdvance advanced(const Vec2& by, const VecX& tractions) {
+  CommittedMultipliers advanced(const Vec2& by, const VecX& tractions) {
     VecX x = s.shift(by);
     x.segment(2 * s.surfaces.first_multiplier, tractions.size()) = tractions / s.surfaces.mortar[0].scale;
     s.look(x);

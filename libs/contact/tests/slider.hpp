@@ -26,7 +26,7 @@ struct Slider {
     surfaces.sides = {side};
     surfaces.element_size = 0.1;
     surfaces.points = place_points(surfaces, 2);
-    memory = memory_at_rest(surfaces);
+    memory = contact_at_rest(surfaces);
   }
 
   // Mortar contact, with hat functions on the faces that carry the quadrature.

@@ -81,7 +81,7 @@ std::vector<contact::ContactState> contact_on(const Model& from, const std::vect
     points_of[from.surfaces.points[p].face].push_back(p);
   const std::vector<Kept> kept = kept_parts(from, to);
   const Anchors anchors(from, to, kept);
-  auto out = contact::memory_at_rest(to.surfaces);
+  auto out = contact::contact_at_rest(to.surfaces);
   for (Index p = 0; p < static_cast<Index>(out.size()); ++p) {
     const auto& point = to.surfaces.points[p];
     const auto& face = to.surfaces.faces[point.face];

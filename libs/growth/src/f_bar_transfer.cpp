@@ -28,8 +28,8 @@ void add_volume(const Model& model, const VecX& displacement, double times, Plas
 }
 
 bool has_flowed(const Model& model, const Plastic& plastic, std::size_t point) {
-  const Index mate = point < model.f_bar_partner.size() ? model.f_bar_partner[point] : kNone;
-  return plastic[point].accumulated > 0.0 || (mate != kNone && plastic[mate].accumulated > 0.0);
+  const Index partner = point < model.f_bar_partner.size() ? model.f_bar_partner[point] : kNone;
+  return plastic[point].accumulated > 0.0 || (partner != kNone && plastic[partner].accumulated > 0.0);
 }
 
 // The mean of both cells, for which alone their common pressure counts.

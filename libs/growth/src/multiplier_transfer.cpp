@@ -11,7 +11,7 @@ namespace {
 using assembly::Model;
 using contact::AnchorMap;
 
-constexpr double kShortestTrail = 1e-12;  // of a face: a shorter one is what rounding leaves between two
+constexpr double kShortestAnchorMap = 1e-12;  // of a face: a shorter one is what rounding leaves between two
 
 bool same_side(const enrichment::Face& a, const enrichment::Face& b) { return a.crack == b.crack && a.side == b.side; }
 
@@ -25,7 +25,7 @@ Index interval_at(const Model& m, const contact::MultiplierNode& where, double s
   return kNone;
 }
 
-// The part [first, last] (arc lengths) of a anchor map on the old model.
+// The part [first, last] (arc lengths) of an anchor map on the old model.
 struct OldAnchorMap {
   const Model& model;
   const AnchorMap& anchor_map;
@@ -33,7 +33,7 @@ struct OldAnchorMap {
 };
 
 // Adds it on a new face, by the new faces that hold its anchors.
-void add_trail(const OldAnchorMap& old, const Model& to, Index face, std::vector<AnchorMap>& out) {
+void add_anchor_map(const OldAnchorMap& old, const Model& to, Index face, std::vector<AnchorMap>& out) {
   const auto& own = to.surfaces.faces[face];
   const auto &was = old.model.surfaces.faces[old.anchor_map.face],
              &anchor = old.model.surfaces.faces[old.anchor_map.anchor_face];
@@ -42,7 +42,7 @@ void add_trail(const OldAnchorMap& old, const Model& to, Index face, std::vector
   const auto add = [&](Index g, double low, double high) {
     const auto& there = to.surfaces.faces[g];
     const double begin = place_on(own, low), end = place_on(own, high);
-    if (end > begin + kShortestTrail)
+    if (end > begin + kShortestAnchorMap)
       out.push_back(
           {face, begin, end, g, place_on(there, a0 + slope * (low - s0)), place_on(there, a0 + slope * (high - s0))});
   };
@@ -56,8 +56,8 @@ void add_trail(const OldAnchorMap& old, const Model& to, Index face, std::vector
   }
 }
 
-std::vector<AnchorMap> trails_on(const Model& from, const std::vector<AnchorMap>& anchor_maps,
-                                 const std::vector<Kept>& kept, const Model& to) {
+std::vector<AnchorMap> anchor_maps_on(const Model& from, const std::vector<AnchorMap>& anchor_maps,
+                                      const std::vector<Kept>& kept, const Model& to) {
   std::vector<AnchorMap> out;
   for (const AnchorMap& rest : contact::anchor_maps_at_rest(to.surfaces)) {
     const auto& face = to.surfaces.faces[rest.face];
@@ -69,11 +69,11 @@ std::vector<AnchorMap> trails_on(const Model& from, const std::vector<AnchorMap>
       const auto& was = from.surfaces.faces[anchor_map.face];
       if (!same_side(was, face)) continue;
       const double low = std::max(first, at(was, anchor_map.begin)), high = std::min(last, at(was, anchor_map.end));
-      if (low < high) add_trail({from, anchor_map, low, high}, to, rest.face, out);
+      if (low < high) add_anchor_map({from, anchor_map, low, high}, to, rest.face, out);
     }
     const auto at_rest = [&](double low, double high) {
       const double begin = place_on(face, low), end = place_on(face, high);
-      if (end > begin + kShortestTrail) out.push_back({rest.face, begin, end, rest.anchor_face, begin, end});
+      if (end > begin + kShortestAnchorMap) out.push_back({rest.face, begin, end, rest.anchor_face, begin, end});
     };
     at_rest(face.s_start, std::min(face.s_end, old.first));
     at_rest(std::max(face.s_start, old.last), face.s_end);
@@ -85,7 +85,7 @@ std::vector<AnchorMap> trails_on(const Model& from, const std::vector<AnchorMap>
 
 }  // namespace
 
-contact::MultiplierState hats_on(const Model& from, const contact::MultiplierState& memory, const Model& to) {
+contact::MultiplierState multipliers_on(const Model& from, const contact::MultiplierState& memory, const Model& to) {
   if (to.surfaces.multiplier_space.empty()) return {};
   const auto kept = kept_parts(from, to);
   const auto &old = from.surfaces.multiplier_space, &now = to.surfaces.multiplier_space;
@@ -115,7 +115,7 @@ contact::MultiplierState hats_on(const Model& from, const contact::MultiplierSta
     if (e != kNone) out.coverage[k] = memory.coverage[e];
   }
   out.stored = memory.stored;
-  out.anchor_maps = trails_on(from, memory.anchor_maps, kept, to);
+  out.anchor_maps = anchor_maps_on(from, memory.anchor_maps, kept, to);
   return out;
 }
 

@@ -58,7 +58,7 @@ VecX prescribed_force_on(const Model& from, const VecX& force, const Model& to) 
 
 State transfer(const Model& from, const State& state, const Model& to) {
   State out = state;
-  out.history.multipliers = hats_on(from, state.history.multipliers, to);
+  out.history.multipliers = multipliers_on(from, state.history.multipliers, to);
   out.displacement = displacement_on(from, state.displacement, to);
   put_multipliers(to, out.history.multipliers, out.displacement);
   out.previous_displacement = out.displacement;

@@ -110,7 +110,7 @@ struct Square {
     problem::CrackSpec out;
     out.name = crack.name;
     out.points = crack.points;
-    out.friction = friction;
+    out.law = contact::Coulomb{friction};
     out.mortar.on = mortar;
     if (!mortar) out.normal_penalty = out.tangential_penalty = 1e10 / (delaunay > 0.0 ? delaunay : 1.0 / cells[0]);
     return out;

@@ -148,8 +148,8 @@ TEST(Evolution, GoesTheFirstWayWhereTheCorrectedOneIsBarred) {
   GrowthLaw law = rankine(6e7, 0.1, 1);
   auto square = turning_crack();
   square.cracks[0].tip_radius = 0.4;
-  for (double y : {0.512, 0.537})
-    for (double r = 0.39; r < 0.45; r += 0.0004) {
+  for (double y : {0.537})
+    for (double r = 0.4496; r < 0.4599; r += 0.00006) {
       auto sq = turning_crack();
       sq.cracks[0].tip_radius = r;
       sq.cracks[0].points = {{0.0, y}, {0.46, y}};

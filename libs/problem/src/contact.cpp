@@ -29,8 +29,8 @@ double largest_poisson(const Specification& scene) {
 constexpr double kLeastSmoothing = 1e-6;
 
 // Stiffness of mortar contact and its hats.
-void set_up_hats(const Specification& scene, const std::vector<double>& scale, const ContactScales& earlier,
-                 assembly::Model& m) {
+void set_up_multipliers(const Specification& scene, const std::vector<double>& scale, const ContactScales& earlier,
+                        assembly::Model& m) {
   auto& s = m.surfaces;
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     auto mortar = scene.cracks[k].mortar;
@@ -93,13 +93,13 @@ void set_up_contact(const Specification& scene, const ContactScales& earlier, as
   const auto scale = s.springs.empty() ? penalty_scale(scene, m) : std::vector<double>{};
   for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
     const auto& spec = scene.cracks[k];
-    s.laws.push_back(contact::Coulomb{spec.friction});
+    s.laws.push_back(spec.law);
     if (!scale.empty()) s.springs.push_back(springs_of(spec, scale[k]));
     s.sides.push_back(spec.negative_side);
   }
   s.points = contact::place_points(s, scene.solver.gauss_points);
   if (std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.mortar.on; }))
-    set_up_hats(scene, scale, earlier, m);
+    set_up_multipliers(scene, scale, earlier, m);
 }
 
 }  // namespace cleft::problem

@@ -61,6 +61,11 @@ std::vector<MaybeSide> sides_of(const assembly::Model& m, Index crack) {
   return divides ? side : std::vector<MaybeSide>{};
 }
 
+std::string name_of(const Specification& scene, Index material) {
+  const auto& section = scene.materials[material].at.section;
+  return section.empty() ? fmt::format("material {}", material) : section;
+}
+
 // Whether a material's region holds a material point.
 class Claim {
  public:
@@ -111,10 +116,10 @@ void refuse_mixed_balls(const Specification& scene, const assembly::Model& m) {
     const auto& crack = scene.cracks[m.cut.tips[b.tip].crack];
     if (a.tip == b.tip && (crack.intensities || grows_by_intensities(crack)) &&
         m.material_of[at - 1] != m.material_of[at])
-      throw InputError(
-          crack.at, crack.at.part("crack", crack.name),
-          "its stress intensity factors are asked for, but two materials meet in the ball of a tip; allowed: a smaller "
-          "tip_enrichment");
+      throw InputError(crack.at, crack.at.part("crack", crack.name),
+                       "its stress intensity factors are asked for, but two materials meet in the ball of a tip; "
+                       "allowed: a smaller " +
+                           scene.formulation_at.key("tip_enrichment"));
   }
 }
 
@@ -132,7 +137,7 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
       rest = number;
     } else {
       throw InputError(spec.at, spec.at.key("region"),
-                       fmt::format("material {} fills the rest already; allowed: a region", rest));
+                       name_of(scene, rest) + " fills the rest already; allowed: a region");
     }
   }
   if (claims.empty()) return;
@@ -145,7 +150,8 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
     };
     for (const auto& [number, claim] : claims) {
       if (!claim.holds(point)) continue;
-      if (m.material_of[p] != rest) fail(fmt::format("is filled by materials {} and {}", m.material_of[p], number));
+      if (m.material_of[p] != rest)
+        fail(fmt::format("is filled by {} and {}", name_of(scene, m.material_of[p]), name_of(scene, number)));
       m.material_of[p] = number;
     }
     if (m.material_of[p] == kNone)

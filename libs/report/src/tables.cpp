@@ -167,7 +167,7 @@ std::string differences_table(const std::vector<Run>& runs) {
   std::map<std::string, std::vector<std::string>> values;  // a cell for each run
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (!runs[r].info.is_object() || !runs[r].info.contains("scene")) continue;
-    for (const auto& [key, value] : scene::solved_keys(runs[r].info["scene"].dump())) {
+    for (const auto& [key, value] : scene::keys_and_values(runs[r].info["scene"].dump())) {
       const auto [at, added] = values.try_emplace(key, runs.size());
       if (added) keys.push_back(key);
       at->second[r] = value;

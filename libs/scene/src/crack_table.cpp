@@ -122,7 +122,9 @@ const Table<CrackSpec>& crack_table() {
       {Row::value("name", &CrackSpec::name, "names its result file").otherwise("crack1, crack2, ..."),
        Row::choice("negative_side", &CrackSpec::negative_side, "side whose face carries the contact quadrature")
            .otherwise("both by mortar, right by penalty"),
-       Row::number("friction", &CrackSpec::friction, kNotNegative, "Coulomb's coefficient"),
+       Row::number("friction", within<contact::Coulomb>(&CrackSpec::law, &contact::Coulomb::friction), kNotNegative,
+                   "Coulomb's coefficient")
+           .written_if([](const CrackSpec& crack) { return std::holds_alternative<contact::Coulomb>(crack.law); }),
        Row::value("points", &CrackSpec::points, "polyline in the reference configuration, m")
            .written_if([](const CrackSpec& crack) { return !crack.sine; }),
        Row::custom("curve", "text", "in place of points: sine", read_curve, write_curve),

@@ -38,7 +38,7 @@ const std::string* value_of(const std::vector<KeyValue>& all, const std::string&
 
 }  // namespace
 
-std::vector<KeyValue> solved_keys(const std::string& json) {
+std::vector<KeyValue> keys_and_values(const std::string& json) {
   std::vector<KeyValue> out;
   const Json j = Json::parse(json, nullptr, false);
   if (j.is_object()) flatten(j, "", out);
@@ -46,7 +46,7 @@ std::vector<KeyValue> solved_keys(const std::string& json) {
 }
 
 std::vector<std::string> differences(const std::string& before, const std::string& now) {
-  const auto a = solved_keys(before), b = solved_keys(now);
+  const auto a = keys_and_values(before), b = keys_and_values(now);
   std::vector<std::string> out;
   for (const auto& [key, value] : a) {
     const auto* other = value_of(b, key);

@@ -21,7 +21,7 @@ void refuse_owner(const Section& s, const std::string& key, const std::vector<st
                   const std::string& selector, const std::string& value) {
   const std::string allowed = fmt::format("{}", fmt::join(owners, ", "));
   s.fail(key, value.empty() ? fmt::format("belongs to a {0}; allowed with {0} = \"{1}\" only", selector, allowed)
-                            : fmt::format("is none of {} = \"{}\"; allowed with {}", selector, value, allowed));
+                            : fmt::format("does not apply to {} = \"{}\"; allowed with {}", selector, value, allowed));
 }
 
 }  // namespace cleft::scene

@@ -129,7 +129,7 @@ TEST(SceneOverride, FaultsAreReportedAtTheOverride) {
       {"loading.outputs=[2.0]", "loading.outputs[0]", "2 is no load; allowed: loads in (0, 1]"},
       {"boundary.1.amplitude=[[1, 0], [0, 1]]", "boundary[1].amplitude", "out of order"},
       {"material.poisson=0.6", "material.poisson", "out of range"},
-      {"mesh.size=1", "mesh.size", "is none of kind"},
+      {"mesh.size=1", "mesh.size", "does not apply to kind"},
       {"mesh=3", "mesh", "not a section"},
       {"material=[]", "material", "a [material] section"},
       {"crack.main.growth={ criterion = 'rankine' }", "crack[0].growth.strength", "missing"},

@@ -30,8 +30,8 @@ TEST(SolvedKeys, WhatOnlyOneSceneHasIsTold) {
 }
 
 TEST(SolvedKeys, OfWhatIsNoJsonAreNone) {
-  EXPECT_TRUE(solved_keys("{").empty());
-  EXPECT_TRUE(solved_keys("[1]").empty());
+  EXPECT_TRUE(keys_and_values("{").empty());
+  EXPECT_TRUE(keys_and_values("[1]").empty());
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ struct FailurePlace {
     std::string out = fmt::format("relative residual {:.2e} after {} iterations, largest at {}", f.residual,
                                   f.iterations, unknown(f.largest));
     if (f.changing > 0) out += fmt::format(", {} points still changing between open, stick, slip or flow", f.changing);
-    if (f.halved > 0) out += fmt::format(" (they chatter; {} corrections were halved)", f.halved);
+    if (f.halved > 0) out += fmt::format(" (the active set cycles; {} corrections were halved)", f.halved);
     return out;
   }
   std::string operator()(const LoadTooLow& f) const { return fmt::format("its load fell below {:.6g}", f.lowest); }

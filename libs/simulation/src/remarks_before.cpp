@@ -1,3 +1,5 @@
+#include "cleft/simulation/remarks_before.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -11,7 +13,6 @@
 #include "cleft/geometry/distance.hpp"
 #include "cleft/problem/build.hpp"
 #include "cleft/problem/tip_reach.hpp"
-#include "cleft/simulation/remarks_before.hpp"
 #include "reach_remarks.hpp"
 
 namespace cleft::simulation {
@@ -166,10 +167,12 @@ void CrackRemarks::about_growth(const problem::GrowthLaw& growth, double size) c
 }
 
 void CrackRemarks::about_friction() const {
-  if (spec_.friction == 0.0) say("slides without friction");
-  if (spec_.friction > kRough)
+  const auto* law = std::get_if<contact::Coulomb>(&spec_.law);
+  if (!law) return;
+  if (law->friction == 0.0) say("slides without friction");
+  if (law->friction > kRough)
     say(fmt::format("friction {:.4g} is an angle of {:.1f} degrees; it is a coefficient, neither degrees nor percent",
-                    spec_.friction, std::atan(spec_.friction) * 180.0 / std::numbers::pi));
+                    law->friction, std::atan(law->friction) * 180.0 / std::numbers::pi));
 }
 
 void CrackRemarks::about_penalties(double scale) const {

@@ -42,7 +42,8 @@ std::vector<Words> all() {
        kSofter + " at the crack"},
       {{NoConvergence, Unbalanced{0.5, 12, multiplier, 2, 4}, LastArc{0.5, 0.75, 0.25}},
        "the iteration did not converge, relative residual 5.00e-01 after 12 iterations, largest at a contact "
-       "multiplier, 2 points still changing between open, stick, slip or flow (they chatter; 4 corrections were "
+       "multiplier, 2 points still changing between open, stick, slip or flow (the active set cycles; 4 corrections "
+       "were "
        "halved), on the path from load 0.5 (largest: 0.75), increments down to 2.5e-01 of the longest",
        kSofter + " at the crack; or, where corners pass each other, contact.method = \"mortar\""},
       {{NoConvergence, LoadTooLow{0.5}},

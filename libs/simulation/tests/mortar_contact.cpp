@@ -40,17 +40,17 @@ TEST(MortarContact, IsExactWithWiderHatsWhereItIsNotSmoothed) {
 }
 
 TEST(MortarContact, ReportsKeysOfTheOtherMethodAndNumbersThatMakeNoSense) {
-  for (const Fault& fault :
-       std::vector<Fault>{{kPenalty.c_str(), "contact = { method = \"mortar\", normal_penalty = @2.0e12 }",
-                           "crack[0].contact.normal_penalty", "is none of method = \"mortar\"; allowed with penalty"},
-                          {kPenalty.c_str(), "contact = { normal_penalty = 2.0e12, smoothing = @1.0 }",
-                           "crack[0].contact.smoothing", "is none of method = \"penalty\"; allowed with mortar"},
-                          {kPenalty.c_str(), "contact = { method = \"penalty\", hat_width = @1.0 }",
-                           "crack[0].contact.hat_width", "is none of method = \"penalty\"; allowed with mortar"},
-                          {kPenalty.c_str(), "contact = { method = \"mortar\", smoothing = @-1.0 }",
-                           "crack[0].contact.smoothing", "0 or greater"},
-                          {kPenalty.c_str(), "contact = { method = \"mortar\", hat_width = @0.0 }",
-                           "crack[0].contact.hat_width", "positive"}})
+  for (const Fault& fault : std::vector<Fault>{
+           {kPenalty.c_str(), "contact = { method = \"mortar\", normal_penalty = @2.0e12 }",
+            "crack[0].contact.normal_penalty", "does not apply to method = \"mortar\"; allowed with penalty"},
+           {kPenalty.c_str(), "contact = { normal_penalty = 2.0e12, smoothing = @1.0 }", "crack[0].contact.smoothing",
+            "does not apply to method = \"penalty\"; allowed with mortar"},
+           {kPenalty.c_str(), "contact = { method = \"penalty\", hat_width = @1.0 }", "crack[0].contact.hat_width",
+            "does not apply to method = \"penalty\"; allowed with mortar"},
+           {kPenalty.c_str(), "contact = { method = \"mortar\", smoothing = @-1.0 }", "crack[0].contact.smoothing",
+            "0 or greater"},
+           {kPenalty.c_str(), "contact = { method = \"mortar\", hat_width = @0.0 }", "crack[0].contact.hat_width",
+            "positive"}})
     expect_reported(fault, [](const std::string& file) { (void)scene::read_scene(file); });
 }
 

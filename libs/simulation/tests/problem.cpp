@@ -79,15 +79,16 @@ TEST(Problem, FaultsThatShowOnlyOnTheMeshAreLocated) {
        "prescribes uy = 0.001 m at the node (0, 0) at load 1, where boundary[0] 'bottom' prescribes uy = 0 m; allowed: "
        "equal values at shared nodes, or uy on one of the two only",
        "on = \"left\""},
-      {"[loading]", "[exact]\nsolution = { name = \"mode-I\", Kk = 1.0 }\n[loading]", "field.Kk", "no such parameter",
-       "solution ="},
+      {"[loading]", "[exact]\nsolution = { name = \"mode-I\", Kk = 1.0 }\n[loading]", "exact.solution.Kk",
+       "no such parameter", "solution ="},
       {points, "curve = \"sine\"\nstart = [0, 0.02]\nend = [0.03, 0.02]\namplitude = 1e14", "crack[0].amplitude",
        "too long for this mesh", "[[crack]]"},
       {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 1e-6 }",
        "crack[0].growth.radius", "is smaller than an element", "growth ="},
       {contact, "growth = { criterion = \"rankine\", strength = 1e7, advance = 0.01, radius = 0.01, tips = \"start\" }",
        "crack[0].growth.tips", "none of these ends lies inside the body", "growth ="},
-      {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "field", "there is no field 'wafes'", "field = \"wafes\""},
+      {"ux = -0.004\nuy = -0.005", "field = \"wafes\"", "boundary[1].field", "there is no field 'wafes'",
+       "field = \"wafes\""},
   };
   for (const auto& [from, to, key, problem, mark] : faults) {
     SCOPED_TRACE(to);

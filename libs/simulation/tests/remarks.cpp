@@ -1,6 +1,4 @@
 // What a scene is remarked on: each remark provoked, with its figure, and absent from a sound scene.
-#include "cleft/simulation/remarks_before.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +8,7 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/results/files.hpp"
+#include "cleft/simulation/remarks_before.hpp"
 #include "growth_remarks.hpp"
 #include "remarks_after.hpp"
 #include "runs.hpp"

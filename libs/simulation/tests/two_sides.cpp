@@ -96,7 +96,7 @@ TEST(Problem, ACrackAgainstTheDirectionOfAFieldIsRefused) {
     FAIL() << "sides would be swapped";
   } catch (const InputError& error) {
     EXPECT_EQ(error.location().line, line_of(text, "field ="));
-    EXPECT_EQ(error.key(), "field.angle");
+    EXPECT_EQ(error.key(), "boundary[0].field.angle");
     EXPECT_NE(error.problem().find("'gap'"), std::string::npos);
   }
 }

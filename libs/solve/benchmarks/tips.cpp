@@ -15,7 +15,6 @@ using namespace cleft::solve;
 assembly::Model enriched_block(std::int64_t across, std::int64_t elements) {
   auto m = models::block(static_cast<int>(across), contact::NegativeSide::Left);
   m.cracks[0].tip_radius = static_cast<double>(elements) * 0.04 / static_cast<double>(across);
-  m.surfaces = {};
   models::discretise(m, 1.0, 0.3, contact::NegativeSide::Left, 1e10);
   return m;
 }

@@ -30,7 +30,7 @@ std::optional<assembly::Failure> tunnelling(const assembly::Model& model, const 
     if (!is_lost(before, now[p], p) || pairs[p].partner_face == kNone || !(pairs[p].state.normal_gap < 0.0)) continue;
     const auto& point = farther.points[p];
     const auto& face = farther.faces[point.face];
-    if (farther.faces[pairs[p].partner_face].side == face.side) continue;  // what lies behind a thin interval part of the body
+    if (farther.faces[pairs[p].partner_face].side == face.side) continue;  // what lies behind a thin strip of the body
     const Vec2 at = (1.0 - point.eta) * face.reference_start + point.eta * face.reference_end;
     return assembly::Failure{assembly::FailureKind::Tunnelling,
                              assembly::PassedPoint{at, face.crack, -pairs[p].state.normal_gap}};

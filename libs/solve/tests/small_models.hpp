@@ -17,12 +17,15 @@ inline void discretise(assembly::Model& m, double penalty_scale, double friction
   for (const auto& crack : m.cracks) {
     auto& spec = body.cracks.emplace_back();
     spec.name = crack.name;
-    spec.friction = friction;
+    spec.law = contact::Coulomb{friction};
     spec.negative_side = side;
     spec.mortar.on = false;
     spec.normal_penalty = spec.tangential_penalty = penalty_scale * young / geometry::element_size(m.mesh, 0);
   }
+  m.surfaces = {};
+  auto prescribed = std::move(m.prescribed);
   m = problem::recut(body, m, m.cracks);
+  m.prescribed = std::move(prescribed);
 }
 
 inline StepControls in_steps(int steps, std::vector<double> outputs = {}) {

@@ -62,31 +62,33 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
         s.fades != t.fades || (!a.facing().empty() && faces_another_place(a, b, i)))
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
-  const auto add_piece = [&](const contact::MortarSegment& piece) {
-    const auto& interval_part = hats.interval_parts[piece.interval_part];
+  const auto add_piece = [&](const contact::MortarSegment& mortar_segment) {
+    const auto& interval_part = hats.interval_parts[mortar_segment.interval_part];
     add_nodes(interval_part.interval);
-    for (const Index face : {interval_part.face, piece.partner})
+    for (const Index face : {interval_part.face, mortar_segment.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
   // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
-  // end of a anchor map the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths
+  // end of an anchor map the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths
   // jumps that compares the tractions of two faces with hats.
-  const auto at_end = [&](const contact::MortarSegment& piece) {
-    const auto& face = surfaces.faces[hats.interval_parts[piece.interval_part].face];
-    return std::array{face.previous == kNone && piece.begin == 0.0, face.next == kNone && piece.end == 1.0};
+  const auto at_end = [&](const contact::MortarSegment& mortar_segment) {
+    const auto& face = surfaces.faces[hats.interval_parts[mortar_segment.interval_part].face];
+    return std::array{face.previous == kNone && mortar_segment.begin == 0.0,
+                      face.next == kNone && mortar_segment.end == 1.0};
   };
-  const auto stands_out = [&](const contact::MortarSegment& piece) {
-    const auto [first, last] = at_end(piece);
-    return piece.anchor_map == kNone || hats.on(piece.partner) || first || last;
+  const auto stands_out = [&](const contact::MortarSegment& mortar_segment) {
+    const auto [first, last] = at_end(mortar_segment);
+    return mortar_segment.anchor_map == kNone || hats.on(mortar_segment.partner) || first || last;
   };
   const auto alike = [&](const contact::MortarSegment& p, const contact::MortarSegment& q) {
-    return p.interval_part == q.interval_part && (p.anchor_map == kNone) == (q.anchor_map == kNone) && at_end(p) == at_end(q) &&
-           (!hats.on(p.partner) || p.partner == q.partner);
+    return p.interval_part == q.interval_part && (p.anchor_map == kNone) == (q.anchor_map == kNone) &&
+           at_end(p) == at_end(q) && (!hats.on(p.partner) || p.partner == q.partner);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
-    for (const auto& piece : of.mortar_segments())
-      if (stands_out(piece) && std::ranges::none_of(in.mortar_segments(), [&](const auto& q) { return alike(piece, q); }))
-        add_piece(piece);
+    for (const auto& mortar_segment : of.mortar_segments())
+      if (stands_out(mortar_segment) &&
+          std::ranges::none_of(in.mortar_segments(), [&](const auto& q) { return alike(mortar_segment, q); }))
+        add_piece(mortar_segment);
   };
   add_missing(a, b);
   add_missing(b, a);

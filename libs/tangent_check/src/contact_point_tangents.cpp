@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "branch.hpp"
-#include "entry.hpp"
-#include "tally.hpp"
+#include "difference.hpp"
 
 namespace cleft::tangent_check {
 namespace {
@@ -64,7 +63,7 @@ Eigen::MatrixXd dense(const assembly::BlockMatrix& matrix, const std::vector<Ind
   const auto n = static_cast<Eigen::Index>(components.size());
   Eigen::MatrixXd out(n, n);
   for (Eigen::Index c = 0; c < n; ++c)
-    for (Eigen::Index r = 0; r < n; ++r) out(r, c) = entry(matrix, components[r], components[c]);
+    for (Eigen::Index r = 0; r < n; ++r) out(r, c) = matrix.entry(components[r], components[c]);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cleft/assembly/model.hpp"
+#include "cleft/tangent_check/tangent.hpp"
 
 namespace cleft::tangent_check {
 
@@ -41,5 +42,11 @@ Quotient quotient(const std::array<double, 4>& force, double step);
 inline bool is_certain(const Quotient& q, double scale, double tolerance) {
   return q.uncertainty <= 0.25 * tolerance * std::fmax(scale, std::fabs(q.value));
 }
+
+/// Why a part is listed some of whose entries are left out.
+inline constexpr const char* kUnclear = "two sizes of the step disagree";
+
+/// Adds an entry, complete but for its difference, to its block; false if the difference is too uncertain to judge it.
+bool count(TangentBlock& block, TangentEntry entry, const Quotient& difference, double tolerance);
 
 }  // namespace cleft::tangent_check

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "entry.hpp"
-#include "tally.hpp"
+#include "difference.hpp"
 
 namespace cleft::tangent_check {
 
@@ -22,7 +21,7 @@ std::vector<ElementTangents::Piece> ElementTangents::pieces_of(const assembly::M
   return out;
 }
 
-assembly::Model ElementTangents::torn(const assembly::Model& model, const std::vector<Piece>& pieces) {
+assembly::Model ElementTangents::separated(const assembly::Model& model, const std::vector<Piece>& pieces) {
   assembly::Model out;
   out.mesh = model.mesh;  // for messages
   out.materials = model.materials;
@@ -51,10 +50,10 @@ ElementTangents::ElementTangents(const assembly::Model& model, const assembly::H
                                  const Lengths& lengths)
     : whole_(model),
       pieces_(pieces_of(model)),
-      torn_(torn(model, pieces_)),
+      separated_(separated(model, pieces_)),
       history_{{}, 0.0, history.plastic},
-      u_(torn_.unknowns.components()),
-      assembler_(torn_) {
+      u_(separated_.unknowns.components()),
+      assembler_(separated_) {
   for (Piece& piece : pieces_) {
     double influence = lengths.influence[piece.unknowns[0]];
     for (std::size_t k = 0; k < piece.unknowns.size(); ++k) {
@@ -69,7 +68,7 @@ ElementTangents::Matrix ElementTangents::tangent(const Piece& piece) const {
   Matrix out = Matrix::Zero();
   for (int column = 0; column < piece.components(); ++column)
     for (int row = 0; row < piece.components(); ++row)
-      out(row, column) = entry(matrix_, 2 * piece.first + row, 2 * piece.first + column);
+      out(row, column) = matrix_.entry(2 * piece.first + row, 2 * piece.first + column);
   return out;
 }
 

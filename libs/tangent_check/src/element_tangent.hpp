@@ -10,8 +10,8 @@
 
 namespace cleft::tangent_check {
 
-/// The body torn into its patches and the cells that are in none: each has unknowns of its own, so that the assembler
-/// keeps their forces apart and one component of every piece can be varied at the same time.
+/// The body separated into its patches and the cells that are in none: each has unknowns of its own, so that the
+/// assembler keeps their forces apart and one component of every piece can be varied at the same time.
 class ElementTangents {
  public:
   ElementTangents(const assembly::Model& model, const assembly::History& history, const VecX& u,
@@ -25,7 +25,7 @@ class ElementTangents {
   struct Piece {
     std::vector<Index> cells;
     std::vector<Index> unknowns;  // in the whole body
-    Index first = 0;              // of its unknowns in the torn one
+    Index first = 0;              // of its unknowns in the separated one
     double step = 0.0;
     int components() const { return 2 * static_cast<int>(unknowns.size()); }
   };
@@ -33,10 +33,10 @@ class ElementTangents {
   using Quotients = std::array<std::array<Quotient, kMost>, kMost>;  // [row][column]
 
   static std::vector<Piece> pieces_of(const assembly::Model& model);
-  static assembly::Model torn(const assembly::Model& model, const std::vector<Piece>& pieces);
+  static assembly::Model separated(const assembly::Model& model, const std::vector<Piece>& pieces);
   std::string name_of(const Piece& piece) const;
 
-  using Forces = std::array<VecX, kOffsets.size()>;  // of the torn body, at the offsets
+  using Forces = std::array<VecX, kOffsets.size()>;  // of the separated body, at the offsets
 
   // With one component of every piece moved, by steps that are `factor` of the first ones; none where a cell inverts.
   std::optional<Forces> forces(int column, double factor);
@@ -49,7 +49,7 @@ class ElementTangents {
 
   const assembly::Model& whole_;
   std::vector<Piece> pieces_;
-  assembly::Model torn_;
+  assembly::Model separated_;
   assembly::History history_;  // of the material
   VecX u_;
   assembly::Assembler assembler_;

@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "colouring.hpp"
-#include "entry.hpp"
-#include "tally.hpp"
+#include "difference.hpp"
 
 namespace cleft::tangent_check {
 namespace {
@@ -66,7 +65,7 @@ class ColumnGroup {
     TangentEntry compared{.load = check_.load, .row = row, .scale = scale_[row]};
     if (j != kNone) {
       compared.column = 2 * j + direction;
-      compared.exact = entry(check_.matrix, row, compared.column);
+      compared.exact = check_.matrix.entry(row, compared.column);
     }
     count(block, compared, q, check_.tolerance);
   }

@@ -127,8 +127,8 @@ TEST(CheckTangent, JudgesPatchesAsOnePiece) {
     TangentReport report = block.along_the_run(3);
     EXPECT_LT(report.worst(), 1e-7) << scene;
     EXPECT_TRUE(report.enough());
-    const auto& mate = block.model().f_bar_partner;
-    const long singles = std::ranges::count(mate, kNone), cells = static_cast<long>(mate.size());
+    const auto& partner = block.model().f_bar_partner;
+    const long singles = std::ranges::count(partner, kNone), cells = static_cast<long>(partner.size());
     long alone = 0, pairs = 0;
     for (const char* side : {"", " left", " right"}) {
       alone += report.blocks["bulk" + std::string(side)].pieces;

@@ -14,7 +14,7 @@ int main() {
   problem::CrackSpec joint;
   joint.name = "joint";
   joint.points = {{0.0, 0.52}, {1.0, 0.48}};
-  joint.friction = 0.3;
+  joint.law = contact::Coulomb{0.3};
   body.cracks = {joint};
   const auto hold = [&](const char* on, double down) {
     problem::BoundarySpec boundary;

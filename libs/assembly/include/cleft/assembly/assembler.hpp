@@ -63,7 +63,8 @@ class Assembler {
 
   struct PairColumns;  // the unknowns that the force at a contact point depends on
 
-  // A face that was opposite a interval part of hats, and where in the matrix their unknowns depend on each other: row by row.
+  // A face that was opposite an interval part of hats, and where in the matrix their unknowns depend on each other: row
+  // by row.
   struct Opposite {
     Index face;
     std::vector<BlockMatrix::Place> places;
@@ -78,9 +79,9 @@ class Assembler {
   void add_ties(const VecX& displacement);
   void assemble_contact(const std::vector<contact::ContactState>& memory);
   void add_pair(const PairColumns& columns, const contact::PairForce& force);
-  void assemble_hats(const contact::MultiplierState& memory);
-  void add_overlap(std::size_t number);
-  void add_anchor(Index piece, Index face);
+  void assemble_multipliers(const contact::MultiplierState& memory);
+  void add_mortar_pair(std::size_t number);
+  void add_anchor(Index mortar_segment, Index face);
   void add_facing(Index node);
   void add_condition(Index node);
   template <class Law, class Point, std::size_t unknowns>

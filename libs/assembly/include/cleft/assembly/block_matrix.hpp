@@ -45,6 +45,12 @@ class BlockMatrix {
     return {4 * starts_[column] + 2 * static_cast<Index>(at - begin), 2 * blocks};
   }
 
+  /// Entry (row, column), both counted in components; 0 where the pattern has none.
+  double entry(Index row, Index column) const {
+    const Place place = find(row / 2, column / 2);
+    return place.start == kNone ? 0.0 : values_[place.start + column % 2 * place.stride + row % 2];
+  }
+
   void add(const Place& place, const Mat2& block) {
     double* v = values_.data() + place.start;
     v[0] += block(0, 0);

@@ -25,7 +25,7 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
-/// A part of a interval part that has one segment of the other face opposite, and one anchor map, or none.
+/// A part of an interval part that has one segment of the other face opposite, and one anchor map, or none.
 struct MortarSegment {
   Index interval_part = kNone;
   Index partner = kNone;  ///< face
@@ -34,8 +34,9 @@ struct MortarSegment {
   Bound begin_at, end_at;
 };
 
-/// Pieces that cover all of the interval parts that has something opposite, found from the partners of the contact
-/// points along the chains of faces that these belong to. `anchor maps` ascend by face and place.
+/// The mortar segments, which cover all of the interval parts that has something opposite. They are found from the
+/// partners of the contact points along the chains of faces that these belong to. `anchor_maps` ascend by face and
+/// place.
 std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const FacePositions& at,
                                                 const std::vector<Pair>& pairs,
                                                 const std::vector<AnchorMap>& anchor_maps);
@@ -45,7 +46,7 @@ std::vector<AnchorMap> anchor_maps_of(const Surfaces& surfaces, const FacePositi
                                       const std::vector<MortarSegment>& mortar_segments);
 std::vector<AnchorMap> anchor_maps_at_rest(const Surfaces& surfaces);
 
-/// All that a interval part and a segment of the other face have in common: consecutive mortar segments.
+/// All that an interval part and a segment of the other face have in common: consecutive mortar segments.
 struct MortarPair {
   Index interval_part = kNone, partner = kNone;
   Index first = 0, last = 0;  ///< its mortar segments: first, ..., last - 1

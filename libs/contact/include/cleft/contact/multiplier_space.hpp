@@ -51,7 +51,7 @@ struct MultiplierSpace {
   bool empty() const { return nodes.empty(); }
   /// Whether a face carries hat functions.
   bool on(Index face) const { return first_part[face] != first_part[face + 1]; }
-  /// The nodes of a interval part's interval.
+  /// The nodes of an interval part's interval.
   std::array<Index, 2> ends(Index interval_part) const {
     const auto& interval = intervals[interval_parts[interval_part].interval];
     return {interval.first, interval.second};

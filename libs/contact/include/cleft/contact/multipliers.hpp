@@ -101,7 +101,7 @@ struct NodeCondition {
 };
 
 /// State of the hat functions, and the work of their tractions in one increment that is not stored, J/m.
-struct HatAdvance {
+struct CommittedMultipliers {
   MultiplierState memory;
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
   double pressure = 0.0;  ///< of the pressure along sloping faces and at mouths, and what Z takes up and does not store
@@ -133,11 +133,11 @@ class Multipliers {
   Traction traction(const Surfaces& surfaces, Index face, double eta) const;
 
   /// What the hat functions remember once the increment has converged, and the work of their tractions.
-  HatAdvance commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const;
+  CommittedMultipliers commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const;
 
  private:
-  void find_overlaps(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                     const MultiplierState& memory);
+  void find_mortar_pairs(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
+                         const MultiplierState& memory);
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
   Facing borne_at(const Surfaces& surfaces, Index mortar_pair, const ValueAndGradient& place) const;
   void find_reached(const Surfaces& surfaces);

@@ -46,11 +46,11 @@ struct Surfaces {
   std::vector<Springs> springs;     ///< per crack, of penalty contact; of a crack with mortar contact it plays no part
   std::vector<NegativeSide> sides;  ///< per crack
   std::vector<Mortar> mortar{};     ///< per crack; empty: all by penalty
-  MultiplierSpace multiplier_space{};           ///< on the negative faces of the cracks with mortar contact
-  Index first_multiplier = kNone;   ///< unknown of the first hat's multipliers (l_N, l_T), which the others follow
-  double element_size = 0.0;        ///< of the cut elements, metres: scale of touch and of the search
-  double search_radius = 0.0;       ///< 0: by scale
-  bool undeformed = false;          ///< contact in the undeformed configuration (undeformed.hpp), for small strain
+  MultiplierSpace multiplier_space{};  ///< on the negative faces of the cracks with mortar contact
+  Index first_multiplier = kNone;      ///< unknown of the first hat's multipliers (l_N, l_T), which the others follow
+  double element_size = 0.0;           ///< of the cut elements, metres: scale of touch and of the search
+  double search_radius = 0.0;          ///< 0: by scale
+  bool undeformed = false;             ///< contact in the undeformed configuration (undeformed.hpp), for small strain
 
   bool is_partner(const enrichment::Face& face) const {
     const NegativeSide side = sides[face.crack];
@@ -69,6 +69,6 @@ struct Surfaces {
 std::vector<Point> place_points(const Surfaces& surfaces, int per_segment);
 
 /// State at rest: a point whose faces coincide is anchored at the material point opposite.
-std::vector<ContactState> memory_at_rest(const Surfaces& surfaces);
+std::vector<ContactState> contact_at_rest(const Surfaces& surfaces);
 
 }  // namespace cleft::contact

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "cleft/contact/interface_law.hpp"
 #include "cleft/contact/surfaces.hpp"
 #include "cleft/geometry/delaunay.hpp"
 #include "cleft/solve/stepping.hpp"
@@ -108,7 +109,7 @@ struct CrackSpec {
   };
   std::optional<Sine> sine;
   contact::NegativeSide negative_side = contact::NegativeSide::Right;
-  double friction = 0.0;
+  contact::InterfaceLaw law = contact::Coulomb{};
   bool intensities = false;  ///< whether the stress intensity factors of its tips are asked for
   std::optional<double> normal_penalty, tangential_penalty;  ///< Pa/m; by scale of E/h if absent
   contact::Mortar mortar{.on = true};                        ///< if on, instead of penalties; without its stiffness

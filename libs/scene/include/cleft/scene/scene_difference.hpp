@@ -14,7 +14,7 @@ namespace cleft::scene {
 using KeyValue = std::pair<std::string, std::string>;
 
 /// All keys of such a JSON text, in its order. Empty if the text is no JSON object.
-std::vector<KeyValue> solved_keys(const std::string& json);
+std::vector<KeyValue> keys_and_values(const std::string& json);
 
 /// `KEY (A before, B now)` for each key that differs between two such texts, those that only one has included.
 std::vector<std::string> differences(const std::string& before, const std::string& now);

@@ -61,7 +61,7 @@ struct Plateau {
   bool goes_on() const;
 };
 
-/// Where the stepping stands; with the state and the contact room this is all that a run needs to go on.
+/// Where the stepping stands; with the state and the reserved couplings this is all that a run needs to go on.
 struct StepPlace {
   int number = 0;
   double step = 0.0;           ///< increment of the load wanted next, whatever load to hit is nearer
@@ -122,7 +122,7 @@ class LoadStepper {
   const LinearSolver& solver() const { return solver_; }
   StepPlace place() const { return place_; }
 
-  /// Goes on from what an earlier run kept; without a room for the contact's partners, with the one at rest.
+  /// Goes on from what an earlier run kept; without reserved couplings, with those at rest.
   void restore(assembly::State state, StepPlace place, std::optional<assembly::ReservedCouplings> reserved = {});
 
   /// Force on the body (N/m) through each prescribed boundary of the model, in its order; what holds a node that

@@ -150,8 +150,8 @@ TEST_P(GrowingPatches, KeepTheirPlasticVolumeTogetherAndWhatHasNotFlowed) {
   for (std::size_t c = 0; c < s.after.cells.size(); ++c) {
     const auto& state = s.handed.history.plastic[c];
     is += s.after.cells[c].area * plastic_volume(s.after, state);
-    const Index mate = s.after.f_bar_partner[c];
-    if (state.accumulated == 0.0 && (mate == kNone || s.handed.history.plastic[mate].accumulated == 0.0)) {
+    const Index partner = s.after.f_bar_partner[c];
+    if (state.accumulated == 0.0 && (partner == kNone || s.handed.history.plastic[partner].accumulated == 0.0)) {
       EXPECT_EQ(state, constitutive::PlasticState{});
     }
   }
@@ -186,13 +186,13 @@ TEST(GrowingPatches, ArePartedOnlyWhereTheCrackIsNew) {
     const Model before = square(), after = square({geometry::extended(square.cracks[0], 1, {0.45, 0.56})});
     const auto was = pairs_of(before), is = pairs_of(after);
     int stay = 0;
-    for (const auto& [cell, mate] : was) {
+    for (const auto& [cell, partner] : was) {
       const auto touched = [&](Index element) {
         return before.cut.cut_of_element[element] != kNone || after.cut.cut_of_element[element] != kNone;
       };
-      if (touched(cell.first) || touched(mate.first)) continue;
+      if (touched(cell.first) || touched(partner.first)) continue;
       ASSERT_TRUE(is.contains(cell));
-      EXPECT_EQ(is.at(cell), mate);
+      EXPECT_EQ(is.at(cell), partner);
       ++stay;
     }
     EXPECT_GT(stay, 100);

@@ -1,4 +1,6 @@
 // Patches of two cells.
+#include "cleft/assembly/f_bar.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <map>
 
 #include "cleft/assembly/assembler.hpp"
-#include "cleft/assembly/f_bar.hpp"
 #include "cleft/geometry/delaunay.hpp"
 #include "small_models.hpp"
 
@@ -31,14 +32,14 @@ TEST(Patches, AreTheRectanglesAndWhatACrackLeavesOfThem) {
       const auto other = static_cast<std::size_t>(m.f_bar_partner[c]);
       EXPECT_EQ(m.f_bar_partner[other], static_cast<Index>(c));
       EXPECT_NE(other, c);
-      const auto &own = m.cells[c], &mate = m.cells[other];
-      if (own.cut == kNone && mate.cut == kNone) {
-        EXPECT_EQ(mate.element / 2, own.element / 2);
+      const auto &own = m.cells[c], &partner = m.cells[other];
+      if (own.cut == kNone && partner.cut == kNone) {
+        EXPECT_EQ(partner.element / 2, own.element / 2);
       }
-      if (own.cut != kNone && mate.cut != kNone) {
-        EXPECT_EQ(own.side, mate.side);
+      if (own.cut != kNone && partner.cut != kNone) {
+        EXPECT_EQ(own.side, partner.side);
       }
-      EXPECT_NE(own.element, mate.element);
+      EXPECT_NE(own.element, partner.element);
     }
     EXPECT_LE(singles, m.cut.elements.size());
   }
@@ -52,15 +53,15 @@ TEST(Patches, DoNotDependOnTheDirectionOfTheCrack) {
     m.cracks = {{"inner", {{0.2, 0.31}, {0.77, 0.64}}}};
     if (reversed) std::swap(m.cracks[0].points[0], m.cracks[0].points[1]);
     models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
-    const auto mate = pair_cells(m);
+    const auto partner = pair_cells(m);
     std::map<std::pair<Index, int>, std::pair<Index, int>> out;  // element and side, seen from the first direction
     const auto key = [&](Index c) {
       const auto& cell = m.cells[c];
       return std::pair(cell.element,
                        cell.cut == kNone ? -1 : static_cast<int>((cell.side == geometry::Side::Left) != reversed));
     };
-    for (Index c = 0; c < static_cast<Index>(mate.size()); ++c)
-      if (mate[c] != kNone) out[key(c)] = key(mate[c]);
+    for (Index c = 0; c < static_cast<Index>(partner.size()); ++c)
+      if (partner[c] != kNone) out[key(c)] = key(partner[c]);
     return out;
   };
   EXPECT_EQ(whole(false), whole(true));
@@ -75,12 +76,12 @@ TEST(Patches, AreNeverBothSidesOfOneTriangle) {
     m.mesh = geometry::structured_mesh({0, 0, 4, 3}, {4, 3}, geometry::Diagonal::Alternating);
     m.cracks = {{"short", {{x + 0.5, 0.5}, {x + 2.0, 0.4}}}};
     models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
-    const auto mate = pair_cells(m);
+    const auto partner = pair_cells(m);
     for (std::size_t c = 0; c + 1 < m.cells.size(); ++c) {
       const auto &own = m.cells[c], &next = m.cells[c + 1];
       shut += own.element == next.element && own.unknown == next.unknown;
-      if (mate[c] != kNone) {
-        EXPECT_NE(own.element, m.cells[mate[c]].element);
+      if (partner[c] != kNone) {
+        EXPECT_NE(own.element, m.cells[partner[c]].element);
       }
     }
   }
@@ -130,7 +131,7 @@ TEST(Patches, AreTheSameOfARenumberedMesh) {
       m.mesh.nodes[k] += 0.02 * Vec2(std::sin(71.0 * m.mesh.nodes[k].x() + 3.0 * m.mesh.nodes[k].y()),
                                      std::sin(53.0 * m.mesh.nodes[k].y() + m.mesh.nodes[k].x()));
     models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
-    const auto mate = pair_cells(m);
+    const auto partner = pair_cells(m);
     std::map<std::pair<double, double>, std::pair<double, double>> out;
     const auto place = [&](Index c) {
       double x = 0.0, y = 0.0;
@@ -140,8 +141,8 @@ TEST(Patches, AreTheSameOfARenumberedMesh) {
       }
       return std::pair(std::round(1e9 * x), std::round(1e9 * y));
     };
-    for (Index c = 0; c < static_cast<Index>(mate.size()); ++c)
-      if (mate[c] != kNone) out[place(c)] = place(mate[c]);
+    for (Index c = 0; c < static_cast<Index>(partner.size()); ++c)
+      if (partner[c] != kNone) out[place(c)] = place(partner[c]);
     return out;
   };
   geometry::Mesh other = mesh;
