@@ -14,10 +14,10 @@ set(CLEFT_ALLOWED_solve support geometry enrichment constitutive contact assembl
 set(CLEFT_ALLOWED_problem support geometry enrichment constitutive contact assembly solve)
 set(CLEFT_ALLOWED_growth support geometry enrichment constitutive contact assembly solve problem)
 set(CLEFT_ALLOWED_results support geometry enrichment constitutive contact assembly solve growth)
-set(CLEFT_ALLOWED_scene support geometry constitutive contact solve problem results)
+set(CLEFT_ALLOWED_scene support geometry constitutive contact solve problem)
 set(CLEFT_ALLOWED_simulation support geometry enrichment constitutive contact assembly solve problem growth results scene)
 set(CLEFT_ALLOWED_tangent_check support geometry enrichment constitutive contact assembly solve problem growth results)
-set(CLEFT_ALLOWED_plot support results)
+set(CLEFT_ALLOWED_plot support)
 set(CLEFT_ALLOWED_convergence support problem results scene simulation plot)
 set(CLEFT_ALLOWED_report support problem scene results plot)
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "cleft/convergence/study.hpp"
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::tools {
 namespace {
@@ -49,17 +49,17 @@ TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
       EXPECT_LT(series.error[2], series.error[0]);
     }
   }
-  const auto table = results::read_csv(s.directory + "/study.csv");
+  const auto table = read_csv(s.directory + "/study.csv");
   EXPECT_EQ(table.rows.size(), 10u);
   EXPECT_EQ(table.column("value")[0], r.runs[0].value[0]);
-  EXPECT_EQ(results::read_csv(s.directory + "/fits.csv").rows.size(), 4u);
+  EXPECT_EQ(read_csv(s.directory + "/fits.csv").rows.size(), 4u);
   EXPECT_EQ(table.column("factorise_seconds")[0], r.runs[0].phases.at("factorise"));
   std::vector<double> unknowns, seconds;
   for (std::size_t k = 3; k < 6; ++k) {
     unknowns.push_back(static_cast<double>(r.runs[k].unknowns));
     seconds.push_back(r.runs[k].phases.at("factorise"));
   }
-  const auto costs = results::read_csv(s.directory + "/costs.csv");
+  const auto costs = read_csv(s.directory + "/costs.csv");
   ASSERT_EQ(costs.rows.size(), r.costs.size());
   int seen = 0;
   for (std::size_t k = 0; k < r.costs.size(); ++k)
@@ -70,7 +70,7 @@ TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
     }
   EXPECT_EQ(seen, 1);
   for (const char* figure : {"/convergence.svg", "/cost.svg"}) {
-    const std::string svg = results::read_bytes(s.directory + figure);
+    const std::string svg = read_bytes(s.directory + figure);
     EXPECT_NE(svg.find("fy_top at 0.3, left"), std::string::npos) << figure;
   }
 }
@@ -124,7 +124,7 @@ TEST(Study, TellsNoErrorAgainstALimitThatIsNotDetermined) {
   ASSERT_FALSE(points.fit.determined);
   EXPECT_TRUE(std::isfinite(points.fit.limit));
   EXPECT_FALSE(points.has_errors);
-  const auto table = results::read_csv(s.directory + "/study.csv");
+  const auto table = read_csv(s.directory + "/study.csv");
   const auto error = table.column("error"), relative = table.column("relative_error"),
              apart = table.column("from_finest"), value = table.column("value");
   for (std::size_t k = 0; k < 3; ++k) {
@@ -133,8 +133,7 @@ TEST(Study, TellsNoErrorAgainstALimitThatIsNotDetermined) {
   }
   EXPECT_GT(apart[0], 0.5);
   for (const char* figure : {"/convergence.svg", "/cost.svg"})
-    EXPECT_NE(results::read_bytes(s.directory + figure).find("relative difference from the finest mesh"),
-              std::string::npos);
+    EXPECT_NE(read_bytes(s.directory + figure).find("relative difference from the finest mesh"), std::string::npos);
   ASSERT_EQ(r.missed.size(), 1u);
   EXPECT_NE(r.missed[0].find("no limit is determined"), std::string::npos) << r.missed[0];
 }

@@ -1,4 +1,4 @@
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {

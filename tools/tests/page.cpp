@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {
@@ -19,8 +19,8 @@ Seen browse(const std::string& page, int width) {
   const std::string command = "/usr/bin/python3 " + std::string(CLEFT_SOURCE_DIR) + "/tools/tests/browse.py " + page +
                               " " + std::to_string(width) + " " + page + "." + std::to_string(width) + ".png > " + log +
                               " 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0) << results::read_bytes(log);
-  std::istringstream lines(results::read_bytes(log));
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_bytes(log);
+  std::istringstream lines(read_bytes(log));
   Seen seen;
   for (std::string line; std::getline(lines, line);) {
     const auto space = line.find(' ');

@@ -14,7 +14,7 @@
 #include <set>
 #include <thread>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {
@@ -40,7 +40,7 @@ TEST(Program, ReplacesItsOwnResultsAndLeavesOtherFilesAlone) {
   EXPECT_FALSE(std::filesystem::exists(out + "/fields_0002.vtu")) << "of the earlier run";
   EXPECT_FALSE(std::filesystem::exists(out + "/crack_main.csv")) << "of the earlier run";
   for (const char* file : {"crack_my.csv", "fields_0007.vtu", "notes.txt"})
-    EXPECT_EQ(results::read_bytes(out + "/" + file), "keep") << file;
+    EXPECT_EQ(read_bytes(out + "/" + file), "keep") << file;
 }
 
 TEST(Program, CheckSaysWhatASceneSwitchesOn) {
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Program, RefusesCrossingCracksAtTheirLine) {
   const std::string scene = testing::TempDir() + "cleft_program_crossing.toml", out = fresh("crossing");
-  std::ofstream(scene) << results::read_bytes(kScenes + "block.toml")
+  std::ofstream(scene) << read_bytes(kScenes + "block.toml")
                        << "\n[[crack]]\nname = \"other\"\npoints = [[0.0, 0.05], [0.04, 0.02]]\n";
   const Outcome o = call("run " + scene + " -o " + out);
   EXPECT_EQ(o.code, 2);
@@ -146,12 +146,12 @@ TEST(Program, AFullDiskEndsTheRunWithAllThatFittedAndTheRestCanBeResumed) {
   EXPECT_NE(flat(o.text).find("cannot be written: File too large; mend that and go on with --resume"),
             std::string::npos)
       << o.text;
-  const std::size_t rows = results::read_csv(full + "/history.csv").rows.size();
+  const std::size_t rows = read_csv(full + "/history.csv").rows.size();
   EXPECT_GT(rows, 5u);
-  EXPECT_LT(rows, results::read_csv(whole + "/history.csv").rows.size());
+  EXPECT_LT(rows, read_csv(whole + "/history.csv").rows.size());
   ASSERT_EQ(call(run + full + " --resume").code, 0);
   for (const char* file : {"history.csv", "crack_main.csv"})
-    EXPECT_EQ(results::read_bytes(full + "/" + file), results::read_bytes(whole + "/" + file)) << file;
+    EXPECT_EQ(read_bytes(full + "/" + file), read_bytes(whole + "/" + file)) << file;
 }
 
 TEST(Program, SaysWhatMaySurprise) {
@@ -203,7 +203,7 @@ TEST(Program, KilledAtRandomMomentsResumesToTheSameHistory) {
   std::set<std::size_t> rows;  // of the history when the program was killed
   const auto expect_the_same = [&] {
     for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd"})
-      EXPECT_EQ(results::read_bytes(killed + "/" + file), results::read_bytes(whole + "/" + file)) << file;
+      EXPECT_EQ(read_bytes(killed + "/" + file), read_bytes(whole + "/" + file)) << file;
   };
   int kills = 0, ends = 0;
   while (kills < kKills && ends < kKills) {
@@ -215,7 +215,7 @@ TEST(Program, KilledAtRandomMomentsResumesToTheSameHistory) {
     }
     ++kills;
     const std::string history = killed + "/history.csv";
-    rows.insert(std::filesystem::exists(history) ? results::read_csv(history).rows.size() : 0);
+    rows.insert(std::filesystem::exists(history) ? read_csv(history).rows.size() : 0);
   }
   ASSERT_EQ(kills, kKills);
   const std::string go_on = std::filesystem::exists(killed + "/checkpoint") ? " --resume -o " : " -o ";

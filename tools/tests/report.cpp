@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {
@@ -40,7 +40,7 @@ std::string copy_of(const std::string& run, const std::string& name) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-std::string text_of(const std::string& path) { return results::read_bytes(path); }
+std::string text_of(const std::string& path) { return read_bytes(path); }
 
 // Rows of a data block in a script of gnuplot.
 std::vector<std::vector<double>> rows_of(const std::string& script, const std::string& block) {
@@ -84,7 +84,7 @@ TEST(Report, IsWrittenBesideTheRunUnlessToldOtherwise) {
 TEST(Report, ShowsTheNumbersOfTheRunWithTheirSigns) {
   const std::string out = fresh("numbers");
   ASSERT_EQ(call("report " + smooth() + " -o " + out).code, 0);
-  const auto history = results::read_csv(smooth() + "/history.csv");
+  const auto history = read_csv(smooth() + "/history.csv");
   const auto force = rows_of(text_of(out + "/reaction_y.gp"), "$curve1");  // bottom, top
   ASSERT_EQ(force.size(), history.rows.size());
   EXPECT_NEAR(force.back()[1], 1e-6 * history.column("fy_top").back(), 1e-12);
@@ -92,7 +92,7 @@ TEST(Report, ShowsTheNumbersOfTheRunWithTheirSigns) {
   const auto along = rows_of(text_of(out + "/reaction_y_displacement.gp"), "$curve0");
   EXPECT_NEAR(along.back()[0], -10.0, 1e-12) << "uy of the top in mm";
   EXPECT_NEAR(along.front()[0], -1.0, 1e-12);
-  const auto profile = results::read_csv(smooth() + "/crack_main.csv");
+  const auto profile = read_csv(smooth() + "/crack_main.csv");
   const auto load = profile.column("load"), tn = profile.column("tn");
   double least = 0.0, drawn = 0.0;
   for (std::size_t k = 0; k < tn.size(); ++k)
@@ -198,13 +198,13 @@ TEST(Report, ARunThatFailedSaysSo) {
 TEST(Report, GrowthIsDrawnAndListed) {
   const std::string wings = solved("wings", "wing_crack.toml");
   const std::string out = fresh("growth_report");
-  const auto growth = results::read_csv(wings + "/growth.csv");
+  const auto growth = read_csv(wings + "/growth.csv");
   ASSERT_GT(growth.rows.size(), 0u);
   ASSERT_EQ(call("report " + wings + " -o " + out).code, 0);
   const std::string page = text_of(out + "/index.html");
   EXPECT_TRUE(has(page, "Advances of tips") && has(page, "id=\"growth\""));
   // several outputs have one load: each is shown as the increment that it is of
-  const auto steps = results::read_csv(wings + "/crack_main.csv").column("step");
+  const auto steps = read_csv(wings + "/crack_main.csv").column("step");
   for (const double step : steps)
     ASSERT_TRUE(has(page, ", increment " + std::to_string(static_cast<int>(step)) + "\"")) << step;
   EXPECT_FALSE(has(page, ", increment " + std::to_string(static_cast<int>(growth.column("step")[0]) - 1) + "\""));

@@ -1,8 +1,8 @@
 // What helps to write a scene: cleft init and cleft scene.
 #include <fstream>
 
-#include "cleft/results/files.hpp"
 #include "cleft/scene/keys.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {
@@ -22,7 +22,7 @@ TEST(Init, WritesASceneThatRunsAndLeavesWhatIsThereAlone) {
   const Outcome again = call("init " + file);
   EXPECT_EQ(again.code, 2);
   EXPECT_NE(again.text.find("exists already"), std::string::npos) << again.text;
-  EXPECT_EQ(results::read_bytes(file), "mine");
+  EXPECT_EQ(read_bytes(file), "mine");
   EXPECT_EQ(call("init " + folder + "/no/such/folder.toml").code, 2);
 }
 

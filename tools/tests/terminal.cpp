@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "shell.hpp"
 
 namespace cleft::tools {
@@ -100,7 +100,7 @@ TEST(Converge, SaysWhyThereIsNoUncertainty) {
                        << "cells = [[4, 8], [6, 12], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.5\n";
   const Outcome o = call("converge " + study + " -o " + out);
   EXPECT_EQ(o.code, 0) << o.text;
-  const auto fits = results::read_csv(out + "/fits.csv");
+  const auto fits = read_csv(out + "/fits.csv");
   ASSERT_FALSE(fits.rows.at(0).back().empty());
   EXPECT_TRUE(has(o, fits.rows[0].back())) << o.text;
 }

@@ -80,7 +80,7 @@ std::string perturbed_mesh(int across) {
   for (const auto& [a, b, c] : mesh.triangles)
     text += fmt::format("{} 2 2 5 5 {} {} {}\n", ++number, a + 1, b + 1, c + 1);
   const std::string path = testing::TempDir() + fmt::format("cleft_perturbed_{}_{}.msh", across, getpid());
-  results::write_atomically(path, text + "$EndElements\n");
+  write_atomically(path, text + "$EndElements\n");
   return path;
 }
 

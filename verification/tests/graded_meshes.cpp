@@ -27,7 +27,7 @@ TEST(GradedMesh, HasTheAccuracyOfMeshFourWithAFifthOfItsUnknowns) {
   const Cost graded =
       half_loaded({"mesh={kind='delaunay',box=[0,0,0.04,0.08],size=0.01,crack_size=0.0025,tip_size=0.0003,gradation=0."
                    "3,refine=1.4}"});
-  const results::CsvTable limits = reference("block_limit.csv");
+  const CsvTable limits = reference("block_limit.csv");
   double limit = 0.0;
   for (std::size_t k = 0; k < limits.rows.size(); ++k)
     if (limits.column("load")[k] == 0.5) limit = 1e6 * limits.column("fy")[k];

@@ -35,7 +35,7 @@ Ran run(const problem::Specification& scene) {
   simulation::RunOptions options;
   options.directory = folder;
   Ran out{simulation::run(scene, options), {}};
-  out.load = results::read_csv(folder + "/history.csv").column("load");
+  out.load = read_csv(folder + "/history.csv").column("load");
   std::filesystem::remove_all(folder);
   return out;
 }
@@ -106,7 +106,7 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
   options.directory = whole;
   const auto result = simulation::run(scene, options);
   ASSERT_EQ(result.end, RunResult::End::Done);
-  const auto history = results::read_csv(whole + "/history.csv");
+  const auto history = read_csv(whole + "/history.csv");
   const auto touching = history.column("contact_points"), slipping = history.column("slipping_points");
   bool stuck = false, slipped = false;
   for (std::size_t k = 0; k < touching.size(); ++k) {
@@ -127,7 +127,7 @@ TEST(Snap, WithACrackThatSticksAndSlipsIsResumedBitForBit) {
     options.resume = true;
   }
   for (const char* file : {"history.csv", "crack_joint.csv", "fields.pvd"})
-    EXPECT_EQ(results::read_bytes(parts + "/" + file), results::read_bytes(whole + "/" + file)) << file;
+    EXPECT_EQ(read_bytes(parts + "/" + file), read_bytes(whole + "/" + file)) << file;
   std::filesystem::remove_all(whole);
   std::filesystem::remove_all(parts);
 }
@@ -236,7 +236,7 @@ TEST(Plateau, IsResumedBitForBit) {
     options.resume = true;
   } while (result.end == RunResult::End::Stopped);
   EXPECT_EQ(result.failure.kind, assembly::FailureKind::Plateau);
-  EXPECT_EQ(results::read_bytes(parts + "/history.csv"), results::read_bytes(whole + "/history.csv"));
+  EXPECT_EQ(read_bytes(parts + "/history.csv"), read_bytes(whole + "/history.csv"));
   std::filesystem::remove_all(whole);
   std::filesystem::remove_all(parts);
 }

@@ -13,7 +13,7 @@ namespace {
 TEST(Plain, WithoutACrackNothingOfContactIsThereAndTheFactorisationIsSymmetric) {
   Case table("block without a crack");
   const Solved run = solve("plain");
-  const std::string json = results::read_bytes(*run.directory + "/run.json");
+  const std::string json = read_bytes(*run.directory + "/run.json");
   EXPECT_NE(json.find("\"factorisation\": \"symmetric\""), std::string::npos);
   EXPECT_NE(json.find("\"enriched\": 0"), std::string::npos);
   EXPECT_NE(json.find("\"contact_points\": 0"), std::string::npos);
@@ -29,7 +29,7 @@ TEST(Plain, AtSmallStrainOneFactorisationServesAllLoadsAndNothingIsRemembered) {
   for (const int steps : {1, 2}) {
     const Solved run = solve("plain", {"formulation.kinematics='small'", "mesh.cells=[160,320]",
                                        fmt::format("loading.steps={}", steps), "loading.outputs=[]"});
-    const auto json = nlohmann::json::parse(results::read_bytes(*run.directory + "/run.json"));
+    const auto json = nlohmann::json::parse(read_bytes(*run.directory + "/run.json"));
     EXPECT_GE(json.at("unknowns").at("standard"), 100000);
     const std::string after = fmt::format(" in {} increments", steps);
     const auto count = [&](const char* what, double value, double expected, const char* reason) {

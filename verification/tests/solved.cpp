@@ -38,7 +38,7 @@ Solved solve(const problem::Specification& scene) {
   options.directory = *out.directory;
   out.result = simulation::run(scene, options);
   EXPECT_EQ(out.result.end, simulation::RunResult::End::Done) << out.result.reason;
-  out.history = results::read_csv(*out.directory + "/history.csv");
+  out.history = read_csv(*out.directory + "/history.csv");
   return out;
 }
 
@@ -62,7 +62,7 @@ double Solved::at(const std::string& column, double load) const {
 }
 
 std::vector<Row> Solved::profile(const std::string& crack, double load) const {
-  const auto table = results::read_csv(*directory + "/crack_" + crack + ".csv");
+  const auto table = read_csv(*directory + "/crack_" + crack + ".csv");
   std::vector<Row> rows;
   for (const auto& cells : table.rows) {
     if (std::fabs(std::stod(cells[0]) - load) > 1e-9) continue;
@@ -73,8 +73,8 @@ std::vector<Row> Solved::profile(const std::string& crack, double load) const {
   return rows;
 }
 
-results::CsvTable reference(const std::string& file) {
-  return results::read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
+CsvTable reference(const std::string& file) {
+  return read_csv(std::string(CLEFT_VERIFICATION) + "/references/" + file);
 }
 
 double farthest(const std::vector<double>& values, double from) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cleft/problem/build.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/scene/read.hpp"
 #include "cleft/simulation/run.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::verification {
 
@@ -22,7 +22,7 @@ inline double number(const Row& row, const std::string& column) { return std::st
 
 struct Solved {
   simulation::RunResult result;
-  results::CsvTable history;
+  CsvTable history;
   std::shared_ptr<const std::string> directory;  ///< vanishes with the last copy
 
   /// A column of history.csv at a load that the run hit.
@@ -47,7 +47,7 @@ struct SolvedModel {
 };
 
 /// Rows of a reference table; lines that start with # tell its provenance.
-results::CsvTable reference(const std::string& file);
+CsvTable reference(const std::string& file);
 
 /// The value that is farthest from `from`; `from` if there is none.
 double farthest(const std::vector<double>& values, double from);

@@ -23,7 +23,7 @@ constexpr double kToCompression = 90.0;  // degrees: the compression's axis
 constexpr const char* kNoExtrapolation = "solver.extrapolate=false";
 
 std::vector<Row> advances_of(const Solved& run) {
-  const auto table = results::read_csv(*run.directory + "/growth.csv");
+  const auto table = read_csv(*run.directory + "/growth.csv");
   std::vector<Row> rows;
   for (const auto& cells : table.rows) {
     Row& row = rows.emplace_back();

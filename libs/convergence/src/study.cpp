@@ -12,9 +12,9 @@
 #include <span>
 
 #include "cleft/problem/build.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/scene/json.hpp"
 #include "cleft/scene/read.hpp"
+#include "cleft/support/files.hpp"
 #include "cleft/support/process.hpp"
 #include "parallel.hpp"
 #include "study_files.hpp"
@@ -81,7 +81,7 @@ double mean_size(const geometry::Mesh& mesh) {
 
 bool is_done(const std::string& folder) {
   const std::string path = folder + "/run.json";
-  return std::filesystem::exists(path) && results::read_bytes(path).find("\"end\": \"done\"") != std::string::npos;
+  return std::filesystem::exists(path) && read_bytes(path).find("\"end\": \"done\"") != std::string::npos;
 }
 
 // Runs what is missing. Returns what failed.
@@ -195,7 +195,7 @@ void check_series(const Quantity& q, const Series& s, std::vector<std::string>& 
 StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
   StudyResult result;
   std::vector<Task> tasks;
-  const std::string program = results::read_bytes(options.program);
+  const std::string program = read_bytes(options.program);
   const std::size_t identity = std::hash<std::string>{}(program)&0xffffffffU;
   for (const auto& variant : study.variants)
     for (const auto& mesh : study.meshes) {

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "cleft/plot/figure.hpp"
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::convergence {
 namespace {
@@ -77,9 +77,9 @@ plot::Figure figure_of(const scene::Study& study, const StudyResult& result, boo
 }  // namespace
 
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory) {
-  results::write_atomically(directory + "/study.csv", runs_csv(study, result));
-  results::write_atomically(directory + "/fits.csv", fits_csv(study, result));
-  results::write_atomically(directory + "/costs.csv", costs_csv(result));
+  write_atomically(directory + "/study.csv", runs_csv(study, result));
+  write_atomically(directory + "/fits.csv", fits_csv(study, result));
+  write_atomically(directory + "/costs.csv", costs_csv(result));
   plot::draw(
       {drawing_of(figure_of(study, result, false), "convergence"), drawing_of(figure_of(study, result, true), "cost")},
       directory, "cleft converge");

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cleft/convergence/curve_distance.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/simulation/contents.hpp"
 #include "cleft/simulation/run.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::convergence {
 namespace {
@@ -19,12 +19,10 @@ using scene::Quantity;
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr double kAtTheLoad = 1e-9;
 
-nlohmann::json run_json(const StudyRun& run) {
-  return nlohmann::json::parse(results::read_bytes(run.folder + "/run.json"));
-}
+nlohmann::json run_json(const StudyRun& run) { return nlohmann::json::parse(read_bytes(run.folder + "/run.json")); }
 
 double history_value(const StudyRun& run, const Quantity& q) {
-  const auto table = results::read_csv(run.folder + "/history.csv");
+  const auto table = read_csv(run.folder + "/history.csv");
   const auto loads = table.column("load");
   for (std::size_t k = loads.size(); k-- > 0;)  // the last state at a load: cracks may grow there
     if (std::fabs(loads[k] - q.load) < kAtTheLoad) return table.column(q.column)[k];
@@ -32,7 +30,7 @@ double history_value(const StudyRun& run, const Quantity& q) {
 }
 
 // Of several states at one load, between which cracks have grown, the last.
-void keep_last_step(results::CsvTable& table) {
+void keep_last_step(CsvTable& table) {
   const auto at = std::find(table.header.begin(), table.header.end(), "step");
   if (at == table.header.end() || table.rows.empty()) return;
   const auto column = static_cast<std::size_t>(at - table.header.begin());
@@ -41,7 +39,7 @@ void keep_last_step(results::CsvTable& table) {
 }
 
 // Of a crack whose faces both have points, one face: their tractions are opposite and their places have moved apart.
-void keep_side(results::CsvTable& table, const std::string& wanted) {
+void keep_side(CsvTable& table, const std::string& wanted) {
   const auto at = std::find(table.header.begin(), table.header.end(), "side");
   if (at == table.header.end()) return;
   const auto column = static_cast<std::size_t>(at - table.header.begin());
@@ -52,7 +50,7 @@ void keep_side(results::CsvTable& table, const std::string& wanted) {
 
 // The curve of a table: its rows at the quantity's load; all rows of a table without loads.
 Curve curve_of(const std::string& path, const Quantity& q) {
-  auto table = results::read_csv(path);
+  auto table = read_csv(path);
   if (std::find(table.header.begin(), table.header.end(), "load") != table.header.end()) {
     const auto loads = table.column("load");
     std::size_t kept = 0;

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "cleft/support/process.hpp"
 
 namespace cleft::plot {
@@ -147,7 +147,7 @@ std::optional<std::string> draw(const std::vector<Drawing>& drawings, const std:
   std::vector<std::string> command{"gnuplot"};
   for (const auto& d : drawings) {
     command.push_back(directory + "/" + d.name + ".gp");
-    results::write_atomically(command.back(), head_of(d, directory, origin) + d.script + tail_of(d, directory));
+    write_atomically(command.back(), head_of(d, directory, origin) + d.script + tail_of(d, directory));
   }
   const std::string log = directory + "/gnuplot.log";
   if (call({"gnuplot", "--version"}, log) != 0) {

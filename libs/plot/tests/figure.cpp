@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::plot {
 namespace {
@@ -38,7 +38,7 @@ Figure example() {
 TEST(Figure, IsDrawnAsSvgAndPng) {
   const std::string folder = fresh("drawn");
   ASSERT_EQ(draw({drawing_of(example(), "f")}, folder, "a test"), std::nullopt);
-  const std::string svg = results::read_bytes(folder + "/f.svg"), png = results::read_bytes(folder + "/f.png");
+  const std::string svg = read_bytes(folder + "/f.svg"), png = read_bytes(folder + "/f.png");
   EXPECT_NE(svg.find("What the \"reader's\" eye &lt;sees> &amp; $x"), std::string::npos)
       << "nothing in a title is interpreted";
   for (const char* text : {"one's", "_b^c", "slip, \u00b5m"}) EXPECT_NE(svg.find(text), std::string::npos) << text;
@@ -56,7 +56,7 @@ TEST(Figure, AValueThatCannotBeDrawnPartsTheLine) {
 TEST(Figure, WithoutDataIsDrawnAllTheSame) {
   const std::string folder = fresh("nothing");
   EXPECT_EQ(draw({drawing_of({}, "f")}, folder, "a test"), std::nullopt);
-  EXPECT_NE(results::read_bytes(folder + "/f.svg").find("no data"), std::string::npos);
+  EXPECT_NE(read_bytes(folder + "/f.svg").find("no data"), std::string::npos);
 }
 
 TEST(Figure, AxesOfOneSignBeginAtZero) {
@@ -73,7 +73,7 @@ TEST(Figure, AScriptThatGnuplotRefusesIsTold) {
   const auto why = draw({{"f", "plot plot\n"}}, folder, "a test");
   ASSERT_TRUE(why.has_value());
   EXPECT_NE(why->find(folder + "/gnuplot.log"), std::string::npos) << *why;
-  EXPECT_NE(results::read_bytes(folder + "/gnuplot.log").find("f.gp"), std::string::npos);
+  EXPECT_NE(read_bytes(folder + "/gnuplot.log").find("f.gp"), std::string::npos);
 }
 
 TEST(Figure, OnlyDrawingsOfTheOriginAreRemoved) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "cleft/results/files.hpp"
 #include "cleft/support/base64.hpp"
+#include "cleft/support/files.hpp"
 #include "page_parts.hpp"
 
 namespace cleft::report {
@@ -42,9 +42,9 @@ std::string inlined(std::string svg, const std::string& name) {
 std::string image_of(const PageFigure& figure, const std::string& directory) {
   constexpr std::size_t kMostBytes = 1'500'000;
   const std::string base = directory + "/" + figure.drawing.name;
-  std::string svg = results::read_bytes(base + ".svg");
+  std::string svg = read_bytes(base + ".svg");
   if (svg.size() <= kMostBytes) return inlined(std::move(svg), figure.drawing.name);
-  const std::string png = results::read_bytes(base + ".png");
+  const std::string png = read_bytes(base + ".png");
   return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped(figure.drawing.name),
                      to_base64(png.data(), png.size()));
 }

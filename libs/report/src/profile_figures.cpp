@@ -40,7 +40,7 @@ struct Part {
 };
 
 struct Profile {
-  const results::CsvTable& table;
+  const CsvTable& table;
   std::string path;
   std::vector<double> column(const char* name) const { return column_of(table, name, path); }
 
@@ -74,7 +74,7 @@ std::vector<double> pick(const std::vector<double>& values, const std::vector<st
   return out;
 }
 
-bool lacks(const results::CsvTable& table, const Quantity& q) {
+bool lacks(const CsvTable& table, const Quantity& q) {
   return q.may_lack && std::ranges::find(table.header, q.column) == table.header.end();
 }
 

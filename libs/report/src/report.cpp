@@ -72,7 +72,7 @@ ReportResult write_report(const ReportOptions& options) {
   plot::remove_drawings(directory, kOrigin);
   if (const auto why = plot::draw(drawings, directory, kOrigin)) throw std::runtime_error(*why);
   const std::string page = directory + "/index.html";
-  results::write_atomically(page, page_text(runs, sections, directory));
+  write_atomically(page, page_text(runs, sections, directory));
   return {page, drawings.size()};
 }
 

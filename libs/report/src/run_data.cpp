@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void read_if_there(const std::string& path, std::optional<results::CsvTable>& table) {
-  if (fs::exists(path)) table = results::read_csv(path);
+void read_if_there(const std::string& path, std::optional<CsvTable>& table) {
+  if (fs::exists(path)) table = read_csv(path);
 }
 
 // Profiles along cracks are those that begin as a run writes them: other files may lie in the folder.
@@ -24,7 +24,7 @@ std::vector<Run::Crack> cracks_in(const std::string& directory) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string file = entry.path().filename();
     if (!file.starts_with(prefix) || !file.ends_with(ending)) continue;
-    auto table = results::read_csv(entry.path());
+    auto table = read_csv(entry.path());
     const bool ours =
         table.header.size() >= 3 && table.header[0] == "load" && table.header[1] == "side" && table.header[2] == "s";
     if (!ours || table.rows.empty()) continue;
@@ -38,7 +38,7 @@ nlohmann::ordered_json info_in(const std::string& directory) {
   const std::string path = directory + "/run.json";
   if (!fs::exists(path)) return {};
   try {
-    return nlohmann::ordered_json::parse(results::read_bytes(path));
+    return nlohmann::ordered_json::parse(read_bytes(path));
   } catch (const nlohmann::ordered_json::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -52,7 +52,7 @@ Run read_run(const std::string& directory) {
   if (!fs::exists(history))
     throw std::runtime_error(directory + ": not the folder of a run: it has no history.csv; allowed: what `cleft run " +
                              "SCENE.toml -o FOLDER` leaves");
-  run.history = results::read_csv(history);
+  run.history = read_csv(history);
   column_of(run.history, "load", history);
   column_of(run.history, "step", history);
   read_if_there(directory + "/newton.csv", run.newton);
@@ -109,7 +109,7 @@ std::vector<double> Run::column(const std::string& name) const {
   return column_of(history, name, directory + "/history.csv");
 }
 
-std::vector<double> column_of(const results::CsvTable& table, const std::string& name, const std::string& path) {
+std::vector<double> column_of(const CsvTable& table, const std::string& name, const std::string& path) {
   try {
     return table.column(name);
   } catch (const std::runtime_error& error) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "cleft/support/types.hpp"
 
 namespace cleft::report {
@@ -45,11 +45,11 @@ struct Box {
 
 struct Run {
   std::string directory, label;
-  results::CsvTable history;
-  std::optional<results::CsvTable> newton, growth;
+  CsvTable history;
+  std::optional<CsvTable> newton, growth;
   struct Crack {
     std::string name;
-    results::CsvTable profile;
+    CsvTable profile;
   };
   std::vector<Crack> cracks;
   nlohmann::ordered_json info;  ///< run.json; null where the run has not ended
@@ -74,6 +74,6 @@ std::vector<Run> read_runs(const std::vector<std::string>& directories);
 void read_shapes(Run& run);
 
 /// A column, with the file's path in the message if it is damaged.
-std::vector<double> column_of(const results::CsvTable& table, const std::string& name, const std::string& path);
+std::vector<double> column_of(const CsvTable& table, const std::string& name, const std::string& path);
 
 }  // namespace cleft::report

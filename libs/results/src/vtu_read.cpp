@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "cleft/results/files.hpp"
 #include "cleft/results/vtu.hpp"
 #include "cleft/support/base64.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::results {
 namespace {

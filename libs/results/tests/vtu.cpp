@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "scene/tests/scenes.hpp"
 
 namespace cleft::results {

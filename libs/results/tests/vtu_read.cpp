@@ -1,8 +1,8 @@
 // Field files read back by the program itself, whole and damaged.
 #include <cmath>
 
-#include "cleft/results/files.hpp"
 #include "cleft/results/vtu.hpp"
+#include "cleft/support/files.hpp"
 #include "scene/tests/scenes.hpp"
 
 namespace cleft::results {

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "cleft/geometry/lines.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/scene/json.hpp"
+#include "cleft/support/files.hpp"
 #include "tables.hpp"
 
 namespace cleft::scene {
@@ -63,7 +63,7 @@ void read_file(const Section& s, MeshSpec& mesh) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(gmsh.file, error))
     s.fail("file", fmt::format("there is no file {}; allowed: a mesh of Gmsh, relative to the scene", gmsh.file));
-  gmsh.hash = hash_of(results::read_bytes(gmsh.file));
+  gmsh.hash = hash_of(read_bytes(gmsh.file));
 }
 
 void write_file(const MeshSpec& mesh, Json& j) {
@@ -137,9 +137,12 @@ const Table<MeshSpec>& mesh_table() {
   using Row = Row<MeshSpec>;
   constexpr Allowed kLength = kPositive.in("m");
   constexpr Allowed kGradation{[](double x) { return x >= 0.01 && x <= 1.0; }, "0.01 to 1"};
-  const auto points = within<DelaunayMesh>(&MeshSpec::kind, [](auto& m) -> auto& { return m.outline.outer.points; });
-  const auto names = within<DelaunayMesh>(&MeshSpec::kind, [](auto& m) -> auto& { return m.outline.outer.names; });
-  const auto holes = within<DelaunayMesh>(&MeshSpec::kind, [](auto& m) -> auto& { return m.outline.holes; });
+  const auto points = within<DelaunayMesh>(
+      &MeshSpec::kind, [](auto& m) -> auto& { return m.outline.outer.points; });
+  const auto names = within<DelaunayMesh>(
+      &MeshSpec::kind, [](auto& m) -> auto& { return m.outline.outer.names; });
+  const auto holes = within<DelaunayMesh>(
+      &MeshSpec::kind, [](auto& m) -> auto& { return m.outline.holes; });
   const auto size = [](const Section&, MeshSpec& mesh) {
     auto& m = std::get<DelaunayMesh>(mesh.kind);
     m.crack_size = m.size;

@@ -24,7 +24,7 @@ namespace {
 // Nothing where the file is no longer there: what has been lost is told already.
 std::vector<results::CriticalPoint> critical_of(const std::string& history) {
   try {
-    return results::critical_points(results::read_csv(history));
+    return results::critical_points(read_csv(history));
   } catch (const std::runtime_error&) {
     return {};
   }
@@ -98,7 +98,7 @@ std::optional<results::Checkpoint> Run::take_folder() {
   solved_json_ = scene::solved_json(scene_);
   if (const auto checkpoint = RunFolder::checkpoint_file(options_.directory);
       options_.resume && !std::filesystem::exists(checkpoint))
-    (void)results::read_bytes(checkpoint);  // says why, and makes no folder
+    (void)read_bytes(checkpoint);  // says why, and makes no folder
   folder_.emplace(options_.directory);
   if (options_.resume) return folder_->checkpoint_of(solved_json_);
   if (const auto told = folder_->remove_results(); !told.empty()) say(told);
@@ -162,7 +162,7 @@ void Run::keep(const results::Counts& counts) {
                                 seconds_.before + clock_.seconds(),
                                 results_->log_bytes(),
                                 results_->outputs()};
-  results::write_atomically(folder_->checkpoint_file(), to_bytes(now));
+  write_atomically(folder_->checkpoint_file(), to_bytes(now));
 }
 
 void Run::look_at_state() {
@@ -227,8 +227,8 @@ void Run::sum_up_seconds() {
 
 void Run::write_summary() {
   try {
-    results::write_atomically(folder_->file("run.json"),
-                              summary(scene_, *evolution_, result_, seconds_.before + result_.seconds, notes_));
+    write_atomically(folder_->file("run.json"),
+                     summary(scene_, *evolution_, result_, seconds_.before + result_.seconds, notes_));
   } catch (const std::runtime_error& error) {
     result_.end = RunResult::End::NotWritten;
     result_.unwritten = error.what();

@@ -11,8 +11,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cleft/results/files.hpp"
 #include "cleft/scene/scene_difference.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::simulation {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 std::optional<results::Checkpoint> readable_checkpoint(const std::string& path) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   try {
-    return results::checkpoint_from(results::read_bytes(path), path);
+    return results::checkpoint_from(read_bytes(path), path);
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
@@ -48,7 +48,7 @@ RunFolder::~RunFolder() { ::close(handle_); }
 
 results::Checkpoint RunFolder::checkpoint_of(const std::string& solved_json) const {
   const std::string path = checkpoint_file();
-  results::Checkpoint checkpoint = results::checkpoint_from(results::read_bytes(path), path);
+  results::Checkpoint checkpoint = results::checkpoint_from(read_bytes(path), path);
   if (checkpoint.scene == solved_json) return checkpoint;
   constexpr std::size_t kTold = 8;
   auto changed = scene::differences(checkpoint.scene, solved_json);

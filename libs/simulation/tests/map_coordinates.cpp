@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cleft/problem/build.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/results/vtu.hpp"
 #include "cleft/simulation/remarks_before.hpp"
+#include "cleft/support/files.hpp"
 #include "problem/src/local.hpp"
 #include "runs.hpp"
 #include "scene/tests/scenes.hpp"
@@ -95,7 +95,7 @@ void expect_alike(const std::vector<double>& local, const std::vector<double>& m
   }
 }
 
-void expect_alike_history(const results::CsvTable& local, const results::CsvTable& map) {
+void expect_alike_history(const CsvTable& local, const CsvTable& map) {
   double force = 0.0;
   for (const auto& name : local.header)
     if (name.starts_with("fx_") || name.starts_with("fy_")) force = std::max(force, largest(local.column(name)));
@@ -107,7 +107,7 @@ void expect_alike_history(const results::CsvTable& local, const results::CsvTabl
   }
 }
 
-void expect_alike_profiles(const results::CsvTable& local, const results::CsvTable& map, const Vec2& shift) {
+void expect_alike_profiles(const CsvTable& local, const CsvTable& map, const Vec2& shift) {
   for (const char* name : {"s", "tn", "tt", "pressure", "slip"})
     expect_alike(local.column(name), map.column(name), largest(local.column(name)), name);
   for (const auto& [name, by] : {std::pair{"X", shift.x()}, {"Y", shift.y()}, {"x", shift.x()}, {"y", shift.y()}}) {
@@ -137,7 +137,7 @@ TEST_P(MapCoordinates, ChangeNothing) {
     ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   }
   const auto read = [&](const std::string& file) {
-    return std::pair{results::read_csv(folder / ("local/" + file)), results::read_csv(folder / ("map/" + file))};
+    return std::pair{read_csv(folder / ("local/" + file)), read_csv(folder / ("map/" + file))};
   };
   const auto history = read("history.csv");
   expect_alike_history(history.first, history.second);
@@ -225,14 +225,14 @@ TEST(MapCoordinatesOfGrowth, AreWrittenAndSaid) {
     options.remark = [&](const std::string& remark) { said.push_back(remark); };
     ASSERT_EQ(run(scene_of(placed(kGrowing, shift)), options).end, RunResult::End::Done);
   }
-  const auto local = results::read_csv(folder / "local/growth.csv"), map = results::read_csv(folder / "map/growth.csv");
+  const auto local = read_csv(folder / "local/growth.csv"), map = read_csv(folder / "map/growth.csv");
   ASSERT_EQ(local.rows.size(), 4u);
   for (const auto& [column, by] : {std::pair{"X", kMap.x()}, {"Y", kMap.y()}, {"length", 0.0}, {"angle", 0.0}}) {
     const auto here = local.column(column), there = map.column(column);
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t k = 0; k < here.size(); ++k) EXPECT_NEAR(there[k], here[k] + by, 1e-6) << column;
   }
-  const auto json = nlohmann::json::parse(results::read_bytes(folder / "map/run.json"));
+  const auto json = nlohmann::json::parse(read_bytes(folder / "map/run.json"));
   const auto& tip = json["growth"]["f"]["points"].back();
   const auto& X = map.column("X");
   EXPECT_TRUE(std::ranges::any_of(X, [&](double x) { return std::fabs(x - tip[0].get<double>()) < 1e-9; }));
@@ -249,8 +249,7 @@ TEST(MapCoordinatesOfGrowth, ResumeBitForBit) {
   ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
   ASSERT_EQ(run_step_by_step(scene, folder / "parts").end, RunResult::End::Done);
   for (const char* file : {"history.csv", "growth.csv", "crack_f.csv", "fields_0002.vtu"})
-    EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
-        << file;
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
 // A scene that lies whole metres away is the same to the last bit, whatever its decimals.
@@ -263,8 +262,7 @@ TEST(MapCoordinatesOfWholeMetres, GiveTheSameBits) {
                                     {"one_axis", Vec2(0.0, 6692000.0)}})
     ASSERT_EQ(run(scene_of(placed(text, shift)), into(folder / name)).end, RunResult::End::Done) << name;
   for (const char* name : {"powers", "map", "one_axis"})
-    EXPECT_EQ(results::read_bytes(folder / name + "/history.csv"), results::read_bytes(folder / "local/history.csv"))
-        << name;
+    EXPECT_EQ(read_bytes(folder / name + "/history.csv"), read_bytes(folder / "local/history.csv")) << name;
 }
 
 // u = A X counts from the scene's origin: far from it that moves the body by A X as a whole.
@@ -281,7 +279,7 @@ TEST(MapCoordinatesOfAnAffineDisplacement, CountFromTheScenesOrigin) {
   const Folder folder;
   for (const auto& [name, shift] : {std::pair{"local", Vec2(0.0, 0.0)}, {"map", kMap}})
     ASSERT_EQ(run(scene_of(placed(text, shift)), into(folder / name)).end, RunResult::End::Done);
-  expect_alike_history(results::read_csv(folder / "local/history.csv"), results::read_csv(folder / "map/history.csv"));
+  expect_alike_history(read_csv(folder / "local/history.csv"), read_csv(folder / "map/history.csv"));
   const auto local = results::read_vtu(folder / "local/fields_0001.vtu"),
              map = results::read_vtu(folder / "map/fields_0001.vtu");
   const auto &u = local.point_data[0].values, &moved = map.point_data[0].values;
@@ -320,9 +318,8 @@ TEST(MapCoordinatesOfAMeshFile, ChangeNothing) {
     const problem::Specification scene = scene::read_scene(folder.write(fmt::format("{}.toml", name), text));
     ASSERT_EQ(run(scene, into(folder / name)).end, RunResult::End::Done);
   }
-  expect_alike_history(results::read_csv(folder / "local/history.csv"), results::read_csv(folder / "map/history.csv"));
-  expect_alike_profiles(results::read_csv(folder / "local/crack_f.csv"), results::read_csv(folder / "map/crack_f.csv"),
-                        kMap);
+  expect_alike_history(read_csv(folder / "local/history.csv"), read_csv(folder / "map/history.csv"));
+  expect_alike_profiles(read_csv(folder / "local/crack_f.csv"), read_csv(folder / "map/crack_f.csv"), kMap);
 }
 
 TEST(MapCoordinatesOfFields, CountFromTheScenesOrigin) {

@@ -4,7 +4,7 @@
 #include "cleft/problem/build.hpp"
 #include "cleft/problem/specification.hpp"
 #include "cleft/results/checkpoint.hpp"
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "runs.hpp"
 #include "scene/tests/faults.hpp"
 
@@ -72,14 +72,13 @@ TEST(MortarContact, ResumesBitForBit) {
   const RunResult result = run_step_by_step(scene, folder / "parts");
   ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
   for (const char* file : {"history.csv", "crack_main.csv"})
-    EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
-        << file;
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
 TEST(MortarContact, ShowsTheTractionsOfItsHatsInTheProfile) {
   const Folder folder;
   ASSERT_EQ(run(with("method = \"mortar\""), into(folder / "run")).end, RunResult::End::Done);
-  const auto profile = results::read_csv(folder / "run" + "/crack_main.csv");
+  const auto profile = read_csv(folder / "run" + "/crack_main.csv");
   const auto tn = profile.column("tn"), tt = profile.column("tt");
   int slipping = 0;
   for (std::size_t k = 0; k < tn.size(); ++k) {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "cleft/problem/build.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/simulation/remarks_before.hpp"
+#include "cleft/support/files.hpp"
 #include "growth_remarks.hpp"
 #include "remarks_after.hpp"
 #include "runs.hpp"
@@ -220,7 +220,7 @@ std::string after(const std::vector<std::string>& overrides, const std::string& 
   const Folder folder;
   const auto result = run(scene_of(text, overrides), into(folder / "run"));
   EXPECT_EQ(result.end, RunResult::End::Done) << result.reason;
-  const auto json = nlohmann::json::parse(results::read_bytes(folder / "run" + "/run.json"));
+  const auto json = nlohmann::json::parse(read_bytes(folder / "run" + "/run.json"));
   const std::vector<std::string> kept = json.at("remarks");
   for (const auto& remark : result.remarks) EXPECT_EQ(std::ranges::count(kept, remark), 1) << remark;
   return joined(result.remarks);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 #include "runs.hpp"
 #include "scene/tests/scenes.hpp"
 
@@ -60,7 +60,7 @@ TEST(Rounding, LeavesSmallStrainsOfStiffBlocksTheirDigits) {
     const auto result =
         run(scene_of(joint(2.0e18, "small"), {fmt::format("loading.steps={}", steps)}), into(folder / "run"));
     ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
-    const auto history = results::read_csv(folder / "run/history.csv");
+    const auto history = read_csv(folder / "run/history.csv");
     const auto load = history.column("load"), force = history.column("fy_press");
     for (std::size_t k = 0; k < load.size(); ++k)
       EXPECT_NEAR(force[k], -20000.0 * std::min(1.0, load[k] / 0.25), 0.02) << "load " << load[k];
@@ -87,7 +87,7 @@ TEST(Rounding, OfLessIsRemarkedOn) {
   EXPECT_LT(result.rounded.worst, 1e-2);
   EXPECT_GT(result.rounded.load, 0.0);
   EXPECT_TRUE(says(result, fmt::format("rounding ended {} of the increments", result.rounded.increments)));
-  EXPECT_NEAR(results::read_csv(folder / "run/history.csv").column("fy_press").back(), -20000.0, 20.0);
+  EXPECT_NEAR(read_csv(folder / "run/history.csv").column("fy_press").back(), -20000.0, 20.0);
 
   const auto soft = run(scene_of(joint(2.0e11, "finite")), into(folder / "soft"));
   ASSERT_EQ(soft.end, RunResult::End::Done);
@@ -112,7 +112,7 @@ TEST(Rounding, IsCountedOverAllPartsOfARun) {
   EXPECT_EQ(parts.rounded.increments, whole.rounded.increments);
   EXPECT_EQ(parts.rounded.worst, whole.rounded.worst);
   EXPECT_EQ(parts.rounded.load, whole.rounded.load);
-  EXPECT_EQ(results::read_bytes(folder / "parts/history.csv"), results::read_bytes(folder / "whole/history.csv"));
+  EXPECT_EQ(read_bytes(folder / "parts/history.csv"), read_bytes(folder / "whole/history.csv"));
 }
 
 // A body that is turned rigidly, one that is held, and one that is unloaded: all of its forces are rounding, or were

@@ -5,8 +5,8 @@
 
 #include "cleft/problem/build.hpp"
 #include "cleft/results/checkpoint.hpp"
-#include "cleft/results/files.hpp"
 #include "cleft/simulation/remarks_before.hpp"
+#include "cleft/support/files.hpp"
 #include "runs.hpp"
 #include "scene/tests/scenes.hpp"
 
@@ -31,7 +31,7 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
   }
   EXPECT_GT(parts, 3);
   const auto total = [&] {
-    const std::string json = results::read_bytes(folder / "parts" + "/run.json"), key = "\"total\": ";
+    const std::string json = read_bytes(folder / "parts" + "/run.json"), key = "\"total\": ";
     return std::stod(json.substr(json.find(key) + key.size()));
   };
   const double seconds = total();
@@ -39,8 +39,7 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
   (void)run(scene, options);  // there is nothing left to do
   EXPECT_GT(total(), 0.5 * seconds) << "the seconds of all parts add up";
   for (const char* file : {"history.csv", "crack_main.csv", "fields.pvd", "fields_0001.vtu"})
-    EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
-        << file;
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
 TEST(Run, HitsAPeakOfTheLoadBetweenTwoIncrements) {
@@ -48,7 +47,7 @@ TEST(Run, HitsAPeakOfTheLoadBetweenTwoIncrements) {
   const problem::Specification scene = scene_of(
       kBlock, {"loading.steps=4", "loading.outputs=[1]", "boundary.top.amplitude=[[0,0],[0.26,0],[0.3,1],[0.34,0]]"});
   ASSERT_EQ(run(scene, into(folder / "run")).end, RunResult::End::Done);
-  const results::CsvTable history = results::read_csv(folder / "run/history.csv");
+  const CsvTable history = read_csv(folder / "run/history.csv");
   EXPECT_EQ(history.column("load"), (std::vector{0.25, 0.26, 0.3, 0.34, 0.5, 0.75, 1.0}));
   EXPECT_LT(history.column("fy_top")[2], -1e6) << "pressed";
 }
@@ -63,7 +62,7 @@ TEST(Run, ResumesIncrementsOfAnAccuracyBitForBit) {
   ASSERT_EQ(whole.end, RunResult::End::Done);
   EXPECT_LT(whole.increments, run(scene_with("solver.accuracy=0"), into(folder / "equal")).increments);
   ASSERT_EQ(run_step_by_step(scene, folder / "parts").end, RunResult::End::Done);
-  EXPECT_EQ(results::read_bytes(folder / "parts/history.csv"), results::read_bytes(folder / "whole/history.csv"));
+  EXPECT_EQ(read_bytes(folder / "parts/history.csv"), read_bytes(folder / "whole/history.csv"));
 }
 
 // Wings grow from a short crack, several times and at one load; each part of the run makes one step.
@@ -98,14 +97,13 @@ outputs = [1.0]
   ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
   const RunResult result = run_step_by_step(scene, folder / "parts");
   ASSERT_EQ(result.end, RunResult::End::Done) << result.reason;
-  EXPECT_EQ(results::read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
+  EXPECT_EQ(read_csv(folder / "whole" + "/growth.csv").rows.size(), 4u);
   const std::string path = folder / "whole" + "/checkpoint";
-  const auto shown = results::checkpoint_from(results::read_bytes(path), path).outputs;
+  const auto shown = results::checkpoint_from(read_bytes(path), path).outputs;
   for (std::size_t k = 2; k < shown.size(); k += 2)  // the body and its faces are two parts of one state
     EXPECT_GT(shown[k].load, shown[k - 2].load) << "a time of its own for each state";
   for (const char* file : {"history.csv", "growth.csv", "crack_main.csv", "fields.pvd", "fields_0002.vtu"})
-    EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
-        << file;
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
 // A bar under a dead traction beyond what it bears: the load rises, turns and falls.
@@ -148,20 +146,19 @@ control = "path"
   };
   ASSERT_NO_FATAL_FAILURE(in_parts_of(kLast, folder / "whole"));
   ASSERT_NO_FATAL_FAILURE(in_parts_of(3, folder / "parts"));
-  const results::CsvTable history = results::read_csv(folder / "whole" + "/history.csv");
+  const CsvTable history = read_csv(folder / "whole" + "/history.csv");
   const auto load = history.column("load");
   EXPECT_LT(load.back(), 0.9 * *std::max_element(load.begin(), load.end()));
   for (const char* file : {"history.csv", "fields.pvd"})
-    EXPECT_EQ(results::read_bytes(folder / "parts" + "/" + file), results::read_bytes(folder / "whole" + "/" + file))
-        << file;
+    EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
 TEST(Run, RefusesACheckpointOfAnotherSceneOrADamagedOne) {
   const Folder folder;
   const std::string out = folder / "run";
   (void)run(scene_of(kBlock), into(out));
-  const std::string checkpoint = out + "/checkpoint", bytes = results::read_bytes(checkpoint),
-                    history = results::read_bytes(out + "/history.csv");
+  const std::string checkpoint = out + "/checkpoint", bytes = read_bytes(checkpoint),
+                    history = read_bytes(out + "/history.csv");
   RunOptions options = into(out);
   options.resume = true;
   const auto refused = [&](const problem::Specification& scene) -> std::string {
@@ -177,16 +174,16 @@ TEST(Run, RefusesACheckpointOfAnotherSceneOrADamagedOne) {
                 ": the checkpoint belongs to another scene, which differs in crack.main.friction (0.3 before, "
                 "0.4 now); run with the keys as before, without --resume, or into another folder");
   for (const std::size_t length : {bytes.size() / 2, bytes.size() - 1}) {
-    results::write_atomically(checkpoint, bytes.substr(0, length));
+    write_atomically(checkpoint, bytes.substr(0, length));
     EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": the checkpoint is damaged");
   }
   std::string altered = bytes;
   altered[bytes.size() / 2] ^= 1;
-  results::write_atomically(checkpoint, altered);
+  write_atomically(checkpoint, altered);
   EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": the checkpoint is damaged");
-  results::write_atomically(checkpoint, "something else");
+  write_atomically(checkpoint, "something else");
   EXPECT_EQ(refused(scene_of(kBlock)), checkpoint + ": not a checkpoint of this version of cleft");
-  EXPECT_EQ(results::read_bytes(out + "/history.csv"), history) << "nothing is written";
+  EXPECT_EQ(read_bytes(out + "/history.csv"), history) << "nothing is written";
 }
 
 TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
@@ -199,10 +196,10 @@ TEST(Run, ThatFailsKeepsWhatConvergedAndSaysWhereAndWhy) {
   EXPECT_LT(result.load, 1.0);
   EXPECT_NE(result.reason.find("last converged"), std::string::npos) << result.reason;
   EXPECT_FALSE(result.advice.empty());
-  const auto history = results::read_csv(folder / "run/history.csv");
+  const auto history = read_csv(folder / "run/history.csv");
   EXPECT_EQ(history.rows.size(), static_cast<std::size_t>(result.increments));
   EXPECT_EQ(history.column("load").back(), result.load);
-  EXPECT_NE(results::read_bytes(folder / "run/run.json").find("\"end\": \"failed\""), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"failed\""), std::string::npos);
 }
 
 // What is advised must be there to be changed.
@@ -245,7 +242,7 @@ TEST(Run, OfASceneWhoseFileNameIsNotUtf8LeavesItsSummary) {
   const Folder folder;
   const std::string file = folder.write("sc\xff.toml", kPlain);
   EXPECT_EQ(run(scene::read_scene(file), into(folder / "run")).end, RunResult::End::Done);
-  EXPECT_NE(results::read_bytes(folder / "run/run.json").find("\"end\": \"done\""), std::string::npos);
+  EXPECT_NE(read_bytes(folder / "run/run.json").find("\"end\": \"done\""), std::string::npos);
 }
 
 // What a scene costs, in numbers: nothing of the past and no second factorisation where neither is needed.
@@ -253,7 +250,7 @@ TEST(Run, CountsWhatIsRememberedAndHowOftenItFactorises) {
   const Folder folder;
   const auto costs = [&](const std::string& text, const std::vector<std::string>& overrides) {
     (void)run(scene_of(text, overrides), into(folder / "run"));
-    return nlohmann::json::parse(results::read_bytes(folder / "run/run.json"));
+    return nlohmann::json::parse(read_bytes(folder / "run/run.json"));
   };
   const std::string pulled = kPlain + "[[traction]]\non = \"top\"\nvalue = [0.0, 1e6]\n";
   const auto linear = costs(pulled, {"formulation.kinematics='small'", "loading.steps=5"});
@@ -267,7 +264,7 @@ TEST(Run, CountsWhatIsRememberedAndHowOftenItFactorises) {
   EXPECT_EQ(cracked.at("linear"), false);
   EXPECT_GE(cracked.at("assemblies"), cracked.at("factorisations"));
   double kept = 0.0;  // corrections by the factors before; an attempt that was cut may have made more
-  for (const double one : results::read_csv(folder / "run/newton.csv").column("kept")) kept += one;
+  for (const double one : read_csv(folder / "run/newton.csv").column("kept")) kept += one;
   EXPECT_GE(kept, 1.0);
   EXPECT_GE(cracked.at("factorisations"), cracked.at("iterations").get<double>() - kept);
   EXPECT_EQ(cracked.at("history").at("contact"), cracked.at("unknowns").at("contact_points"));
@@ -287,13 +284,11 @@ TEST(Run, RepeatsToTheLastBitAndHardlyDependsOnTheNumberOfThreads) {
     RunOptions options = into(folder / name);
     options.threads = threads;
     (void)run(scene_of(kBlock, {"mesh.cells=[16, 32]", "loading.steps=5"}), options);
-    return results::read_csv(folder / (name + "/history.csv"));
+    return read_csv(folder / (name + "/history.csv"));
   };
   const auto one = history("one", 1), two = history("two", 2);
-  EXPECT_EQ(results::read_bytes(folder / "one/history.csv"),
-            (history("again", 1), results::read_bytes(folder / "again/history.csv")));
-  EXPECT_EQ(results::read_bytes(folder / "two/history.csv"),
-            (history("twice", 2), results::read_bytes(folder / "twice/history.csv")));
+  EXPECT_EQ(read_bytes(folder / "one/history.csv"), (history("again", 1), read_bytes(folder / "again/history.csv")));
+  EXPECT_EQ(read_bytes(folder / "two/history.csv"), (history("twice", 2), read_bytes(folder / "twice/history.csv")));
   for (const char* name : {"fx_top", "fy_top", "max_slip"}) {
     const auto a = one.column(name), b = two.column(name);
     ASSERT_GE(a.size(), 5u);
@@ -334,7 +329,7 @@ TEST(Run, TellsWhatItsFolderHolds) {
                                       "draws the new one"});
   std::filesystem::remove_all(out);
   std::filesystem::create_directory(out);
-  results::write_atomically(out + "/notes.txt", "mine");
+  write_atomically(out + "/notes.txt", "mine");
   EXPECT_EQ(told(), std::vector{out + ": other files lie there and stay"});
 }
 

@@ -4,13 +4,13 @@
 #include <limits>
 #include <stdexcept>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::tangent_check {
 
 std::vector<IncrementRate> newton_rates(const std::string& directory) {
   const std::string path = directory + "/newton.csv";
-  const auto table = results::read_csv(path);
+  const auto table = read_csv(path);
   const auto column = [&](const char* name) {
     try {
       return table.column(name);

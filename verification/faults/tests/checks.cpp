@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::verification {
 namespace {
@@ -51,14 +51,14 @@ Verdict newton(const std::string& program, const std::string&) {
 // Forces of a block that slides: horizontal over vertical is the coefficient of friction.
 Verdict drag(const std::string& program, const std::string& folder) {
   if (!runs(program, "drag", folder)) return Verdict::NoAnswer;
-  const auto history = results::read_csv(folder + "/history.csv");
+  const auto history = read_csv(folder + "/history.csv");
   return near(history.column("fx_bottom").back() / history.column("fy_bottom").back(), -0.3, 1e-5);
 }
 
 // A rigid turn does no work.
 Verdict rotation(const std::string& program, const std::string& folder) {
   if (!runs(program, "rotation", folder)) return Verdict::NoAnswer;
-  const auto history = results::read_csv(folder + "/history.csv");
+  const auto history = read_csv(folder + "/history.csv");
   const auto load = history.column("load"), work = history.column("external_work");
   for (std::size_t k = 0; k < load.size(); ++k)
     if (std::fabs(load[k] - 0.5) < 1e-9) return near(work.back(), work[k], 1e-6 * work[k]);
@@ -69,7 +69,7 @@ Verdict rotation(const std::string& program, const std::string& folder) {
 Verdict pressure(const std::string& program, const std::string& folder) {
   if (!runs(program, "through_crack", folder)) return Verdict::NoAnswer;
   const double expected = 1e10 / (1.0 - 0.25 * 0.25) * 1e-5 * std::pow(std::cos(std::numbers::pi / 9.0), 2);
-  const auto values = results::read_csv(folder + "/crack_joint.csv").column("pressure");
+  const auto values = read_csv(folder + "/crack_joint.csv").column("pressure");
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   return near(mean, expected, 0.01 * expected);
 }
@@ -77,7 +77,7 @@ Verdict pressure(const std::string& program, const std::string& folder) {
 // What presses on the top of a cracked body arrives at its bottom.
 Verdict balance(const std::string& program, const std::string& folder) {
   if (!runs(program, "through_crack", folder)) return Verdict::NoAnswer;
-  const auto history = results::read_csv(folder + "/history.csv");
+  const auto history = read_csv(folder + "/history.csv");
   const double top = history.column("fy_top").back();
   return near(history.column("fy_bottom").back(), -top, 1e-6 * std::fabs(top));
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::results {
 

@@ -8,7 +8,7 @@
 #include "cleft/results/checkpoint.hpp"
 #include "cleft/results/contents.hpp"
 #include "cleft/results/crack_profile.hpp"
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 namespace cleft::results {
 

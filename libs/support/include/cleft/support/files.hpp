@@ -1,12 +1,12 @@
 /// \file
-/// Result files that a reader never sees half of.
+/// Files that a reader never sees half of.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace cleft::results {
+namespace cleft {
 
 /// Writes a whole file under a temporary name beside it and renames it. Throws std::runtime_error with path and reason;
 /// what stood there before is then untouched.
@@ -43,4 +43,4 @@ struct CsvTable {
 /// std::runtime_error with path and reason if the file cannot be read.
 CsvTable read_csv(const std::string& path);
 
-}  // namespace cleft::results
+}  // namespace cleft

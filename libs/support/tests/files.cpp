@@ -1,5 +1,5 @@
 // Files are whole or absent, and tables come back to the last digit.
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -8,9 +8,9 @@
 #include <csignal>
 #include <limits>
 
-#include "scene/tests/scenes.hpp"
+#include "support/tests/folder.hpp"
 
-namespace cleft::results {
+namespace cleft {
 namespace {
 
 /// Lets no file of this process grow beyond `bytes`, as a full disk would.
@@ -182,4 +182,4 @@ TEST(Csv, FaultsOfAColumnAreTold) {
 }
 
 }  // namespace
-}  // namespace cleft::results
+}  // namespace cleft

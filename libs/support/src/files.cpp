@@ -1,4 +1,4 @@
-#include "cleft/results/files.hpp"
+#include "cleft/support/files.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace cleft::results {
+namespace cleft {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
@@ -135,4 +135,4 @@ CsvTable read_csv(const std::string& path) {
   return table;
 }
 
-}  // namespace cleft::results
+}  // namespace cleft
