@@ -69,7 +69,7 @@ problem::Specification square(const Patch& patch) {
                         : right    ? contact::NegativeSide::Right
                                    : contact::NegativeSide::Left;
   crack.mortar = patch.mortar;
-  crack.friction = patch.friction;
+  crack.law = contact::Coulomb{patch.friction};
   scene.cracks = {crack};
   scene.loading.steps = 100;
   scene.solver.residual_tolerance = 1e-12;

@@ -41,7 +41,7 @@ problem::Specification square(const Body& body, int steps_a_leg) {
   problem::CrackSpec crack;
   crack.name = "joint";
   crack.points = {{0.0, 0.4437}, {1.0, 0.4437}};
-  crack.friction = kFriction;
+  crack.law = contact::Coulomb{kFriction};
   crack.mortar = body.mortar;
   scene.cracks = {crack};
   scene.loading.steps = (kLegs + 1) * steps_a_leg;

@@ -150,7 +150,7 @@ TEST(SceneOverride, ReplacesKeysAndAddsThemAndTheirSections) {
                {"mesh.cells=[32,64]", "crack.main.friction=0.7", "boundary.bottom.uy=-0.02",
                 "crack.0.negative_side=left", "solver.max_iterations=7"});
   EXPECT_EQ(std::get<problem::StructuredMesh>(scene.mesh.kind).cells, (std::array{32, 64}));
-  EXPECT_EQ(scene.cracks[0].friction, 0.7);
+  EXPECT_EQ(friction_of(scene.cracks[0]), 0.7);
   EXPECT_EQ(scene.cracks[0].negative_side, contact::NegativeSide::Left);
   EXPECT_EQ(scene.boundaries[0].uy, -0.02);
   EXPECT_EQ(scene.solver.max_iterations, 7);
@@ -171,8 +171,8 @@ TEST(SceneOverride, DefaultNamesServeToo) {
                            "[[crack]]\npoints = [[0.0, 0.01833], [0.0349, 0.05323]]\n"
                            "[[crack]]\npoints = [[0.0, 0.06], [0.01, 0.06]]\n";
   const problem::Specification scene = scene_of(text, {"crack.crack2.friction=0.5", "boundary.box2.uy=0.001"});
-  EXPECT_EQ(scene.cracks[0].friction, 0.0);
-  EXPECT_EQ(scene.cracks[1].friction, 0.5);
+  EXPECT_EQ(friction_of(scene.cracks[0]), 0.0);
+  EXPECT_EQ(friction_of(scene.cracks[1]), 0.5);
   EXPECT_EQ(scene.boundaries[1].name, "box2");
   EXPECT_EQ(scene.boundaries[1].uy, 0.001);
 }

@@ -24,7 +24,7 @@ TEST(GoodScene, EveryKeyOfTheBlockArrives) {
   EXPECT_EQ(s.cracks[0].at.line, line_of(kBlock, "[[crack]]"));
   EXPECT_EQ(s.cracks[0].points, (std::vector<Vec2>{{0.0, 0.01833}, {0.0349, 0.05323}}));
   EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Left);
-  EXPECT_EQ(s.cracks[0].friction, 0.3);
+  EXPECT_EQ(friction_of(s.cracks[0]), 0.3);
   EXPECT_EQ(s.cracks[0].normal_penalty, 2e12);
   EXPECT_FALSE(s.cracks[0].tangential_penalty);
   ASSERT_EQ(s.boundaries.size(), 2u);
@@ -45,7 +45,7 @@ TEST(GoodScene, WhatIsAbsentHasItsDefault) {
   EXPECT_EQ(std::get<problem::StructuredMesh>(s.mesh.kind).diagonal, geometry::Diagonal::Right);
   EXPECT_EQ(s.cracks[0].name, "crack1");
   EXPECT_EQ(s.cracks[0].negative_side, contact::NegativeSide::Both) << "by mortar contact no face is another one";
-  EXPECT_EQ(s.cracks[0].friction, 0.0);
+  EXPECT_EQ(friction_of(s.cracks[0]), 0.0);
   EXPECT_FALSE(s.cracks[0].normal_penalty);
   EXPECT_EQ(s.boundaries[0].name, "bottom");
   EXPECT_EQ(s.boundaries[0].amplitude.points, (Points{{0.0, 0.0}, {1.0, 1.0}}));

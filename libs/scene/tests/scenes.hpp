@@ -91,6 +91,9 @@ inline problem::Specification scene_of(const std::string& text, const std::vecto
   return scene::read_scene(folder.write("scene.toml", text), overrides);
 }
 
+/// Coulomb's coefficient.
+inline double friction_of(const problem::CrackSpec& crack) { return std::get<contact::Coulomb>(crack.law).friction; }
+
 /// 1-based line of the first occurrence of `what`.
 inline int line_of(const std::string& text, const std::string& what) {
   const auto at = text.find(what);
