@@ -15,7 +15,7 @@ constexpr double kPerDegree = std::numbers::pi / 180.0;
 
 bodies::Square inner_crack(const Vec2& top, bool mortar = false) {
   bodies::Square square{.cracks = {{"main", {{0.3, 0.52}, {0.7, 0.49}}, 0.14}}};
-  square.cells = {25, 24};
+  square.cells = {27, 26};
   square.top = top;
   square.mortar = mortar;
   return square;
