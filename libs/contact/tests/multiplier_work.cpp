@@ -6,7 +6,7 @@
 namespace cleft::contact {
 namespace {
 
-constexpr double kPressure = 1.0, kRough = 0.5;
+constexpr double kPressing = 1.0, kRough = 0.5;
 
 class HatWork : public testing::TestWithParam<NegativeSide> {
  protected:
@@ -42,20 +42,20 @@ INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, Neg
 
 TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   before.status.assign(before.status.size(), Status::Slip);
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  before.multiplier = tractions(-kPressing, kRough * kPressing);
   const auto steady = advanced({0.03, 0.0}, before.multiplier);
-  EXPECT_NEAR(steady.friction, kRough * kPressure * 0.03 * 0.97, 1e-12) << "of what is still opposite";
+  EXPECT_NEAR(steady.friction, kRough * kPressing * 0.03 * 0.97, 1e-12) << "of what is still opposite";
   EXPECT_NEAR(steady.pressure, 0.0, 1e-12) << "the faces are parallel";
   EXPECT_NEAR(steady.memory.stored, 0.0, 1e-12) << "tractions are uniform";
-  const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressure, 3.0 * kRough * kPressure));
-  EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressure * 0.03 * 0.97, 1e-12);
+  const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressing, 3.0 * kRough * kPressing));
+  EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressing * 0.03 * 0.97, 1e-12);
 }
 
 TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
   before.status.assign(before.status.size(), Status::Slip);
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  before.multiplier = tractions(-kPressing, kRough * kPressing);
   for (auto& state : before.state) state.slip = 0.2;
-  const auto stuck = advanced({0.0, 0.0}, tractions(-kPressure, 0.1)), slid = advanced({0.03, 0.0}, before.multiplier);
+  const auto stuck = advanced({0.0, 0.0}, tractions(-kPressing, 0.1)), slid = advanced({0.03, 0.0}, before.multiplier);
   double length = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < before.state.size(); ++i) {
     EXPECT_EQ(before.state[i].slip, 0.2);
@@ -69,14 +69,14 @@ TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
 TEST_P(HatWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
   constexpr double kApart = 1e-4;  // how far the faces that bear it are apart
   before.status.assign(before.status.size(), Status::Slip);
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
-  EXPECT_NEAR(advanced({0.03, kApart}, before.multiplier).pressure, -0.03 * kPressure * kApart, 1e-13);
-  EXPECT_NEAR(advanced({0.03, -kApart}, before.multiplier).pressure, 0.03 * kPressure * kApart, 1e-13);
+  before.multiplier = tractions(-kPressing, kRough * kPressing);
+  EXPECT_NEAR(advanced({0.03, kApart}, before.multiplier).pressure, -0.03 * kPressing * kApart, 1e-13);
+  EXPECT_NEAR(advanced({0.03, -kApart}, before.multiplier).pressure, 0.03 * kPressing * kApart, 1e-13);
 }
 
 TEST_P(HatWork, OfFacesThatStickIsNothing) {
-  before.multiplier = tractions(-kPressure, 0.0);
-  const auto stick = advanced({0.0, 0.0}, tractions(-kPressure, 0.3 * kRough));
+  before.multiplier = tractions(-kPressing, 0.0);
+  const auto stick = advanced({0.0, 0.0}, tractions(-kPressing, 0.3 * kRough));
   EXPECT_EQ(stick.friction, 0.0);
   EXPECT_NEAR(stick.pressure, 0.0, 1e-12);
 }
@@ -84,7 +84,7 @@ TEST_P(HatWork, OfFacesThatStickIsNothing) {
 TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
   s.surfaces.laws[0] = Coulomb{0.0};
   before.status.assign(before.status.size(), Status::Slip);
-  before.multiplier = tractions(-kPressure, 0.0);
+  before.multiplier = tractions(-kPressing, 0.0);
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
   EXPECT_EQ(apart.friction, 0.0);
   EXPECT_EQ(apart.pressure, 0.0);
@@ -92,11 +92,11 @@ TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
 }
 
 TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
-  const double most = 0.5 * kRough * kPressure * 0.02 * 0.98;  // the strength falls to 0
+  const double most = 0.5 * kRough * kPressing * 0.02 * 0.98;  // the strength falls to 0
   const Vec2 just_open(0.02, 1e-9);
-  before.multiplier = tractions(-kPressure, kRough * kPressure);
+  before.multiplier = tractions(-kPressing, kRough * kPressing);
   EXPECT_NEAR(advanced(just_open, tractions(0.0, 0.0)).friction, most, 1e-5 * most);
-  before.multiplier = tractions(-kPressure, 0.6 * kRough * kPressure);
+  before.multiplier = tractions(-kPressing, 0.6 * kRough * kPressing);
   const double sticks_first = advanced(just_open, tractions(0.0, 0.0)).friction;
   EXPECT_GE(sticks_first, 0.6 * most);
   EXPECT_LT(sticks_first, 0.9 * most);
@@ -104,8 +104,8 @@ TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
 
 TEST_P(HatWork, OfFacesThatTouchIsThatOfHalfOfTheirSlide) {
   before.status.assign(before.status.size(), Status::Open);
-  const auto touching = advanced({0.04, 0.0}, tractions(-kPressure, 0.0));
-  EXPECT_NEAR(touching.friction, 0.5 * kRough * kPressure * 0.02 * 0.96, 1e-12);
+  const auto touching = advanced({0.04, 0.0}, tractions(-kPressing, 0.0));
+  EXPECT_NEAR(touching.friction, 0.5 * kRough * kPressing * 0.02 * 0.96, 1e-12);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ Checkpoint example() {
   c.state.load = 0.3;
   c.state.displacement = VecX::LinSpaced(10, 0.0, 1.0 / 3.0);
   c.state.previous_displacement = -c.state.displacement;
-  c.state.history.contact = {{3, 0.25, 1e-3, -7.0}, {kNone, 0.0, 0.0, 0.0}};
+  c.state.history.contact = {{3, 0.25, {1e-3}, -7.0}, {kNone, 0.0, {0.0}, 0.0}};
   c.state.history.plastic = {{{1e-3, -2e-3, 3e-4, 1e-4}, 0.02}, {}};
   c.state.prescribed_force = VecX::Ones(4);
   c.state.energies.elastic = 5.0;

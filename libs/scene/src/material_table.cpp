@@ -17,7 +17,8 @@ const Table<Region>& region_table() {
 }
 
 void read_region(const Section& s, MaterialSpec& material) {
-  Region& region = material.region.emplace();
+  material.region = Region{};
+  Region& region = *material.region;
   if (!s.is_text("region")) return read(region_table(), *s.section("region"), region);
   region.name = s.text("region");
   if (region.name.empty()) s.fail("region", "empty; allowed: the name of a region");

@@ -307,9 +307,11 @@ Row<Spec> Row<Spec>::section(const char* name, Member member, const Table<Sub>& 
   using Held = Optional<std::remove_cvref_t<std::invoke_result_t<Member, Spec&>>>;
   Row row{name, "section", help};
   row.read = [=, &table](const Section& s, Spec& spec) {
-    if constexpr (Held::is)
-      read_located(table, *s.section(name), std::invoke(member, spec).emplace());
-    else if constexpr (std::is_same_v<Spec, Sub>)
+    if constexpr (Held::is) {
+      auto& held = std::invoke(member, spec);
+      held = typename Held::Value{};
+      read_located(table, *s.section(name), *held);
+    } else if constexpr (std::is_same_v<Spec, Sub>)
       scene::read(table, *s.section(name), spec);
     else
       read_located(table, *s.section(name), std::invoke(member, spec));
