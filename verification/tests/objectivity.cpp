@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cleft/convergence/fit.hpp"
 #include "cleft/convergence/curve_distance.hpp"
+#include "cleft/convergence/fit.hpp"
 #include "comparison.hpp"
 #include "solved.hpp"
 

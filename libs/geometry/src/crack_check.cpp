@@ -14,8 +14,7 @@ namespace cleft::geometry {
 namespace {
 
 void check_points(const Crack& crack) {
-  if (crack.points.size() < 2)
-    throw CrackError(crack, "has fewer than two points; a crack needs at least two");
+  if (crack.points.size() < 2) throw CrackError(crack, "has fewer than two points; a crack needs at least two");
   if (!(crack.tip_radius >= 0.0) || !std::isfinite(crack.tip_radius)) {
     throw CrackError(crack, "has a tip radius that is negative or not finite; allowed: 0 (none) or more");
   }
@@ -24,9 +23,8 @@ void check_points(const Crack& crack) {
       throw CrackError(crack, "point " + std::to_string(k + 1) + " is not finite");
     }
     if (k > 0 && crack.points[k] == crack.points[k - 1]) {
-      throw CrackError(crack,
-                       "points " + std::to_string(k) + " and " + std::to_string(k + 1) +
-                           " coincide; consecutive points must differ");
+      throw CrackError(crack, "points " + std::to_string(k) + " and " + std::to_string(k + 1) +
+                                  " coincide; consecutive points must differ");
     }
   }
 }
@@ -69,12 +67,12 @@ void check_cracks(const std::vector<Crack>& cracks) {
       }
       if (!touch(starts[m], ends[m], starts[k], ends[k])) return;
       if (place[k].first == crack) {
-        throw CrackError(cracks[crack],
-                         "crosses or touches itself: its segments " + std::to_string(segment + 1) + " and " +
-                             std::to_string(place[k].second + 1) + " meet, which is not allowed");
+        throw CrackError(cracks[crack], "crosses or touches itself: its segments " + std::to_string(segment + 1) +
+                                            " and " + std::to_string(place[k].second + 1) +
+                                            " meet, which is not allowed");
       }
-      throw CrackError(cracks[crack],
-          "crosses or touches crack " + cracks[place[k].first].name + "; cracks must keep clear of each other");
+      throw CrackError(cracks[crack], "crosses or touches crack " + cracks[place[k].first].name +
+                                          "; cracks must keep clear of each other");
     });
   }
 }

@@ -15,7 +15,8 @@ namespace cleft::geometry {
 namespace {
 
 [[noreturn]] void winds(const Crack& crack) {
-  throw CrackError(crack,
+  throw CrackError(
+      crack,
       "winds so tightly that a node or a piece of an element would lie on both of its sides; refine the mesh there");
 }
 
@@ -100,10 +101,9 @@ class Cutter {
 
   [[noreturn]] void too_near(Index one, Index two) const {
     const Crack &a = cracks_[static_cast<std::size_t>(one)], &b = cracks_[static_cast<std::size_t>(two)];
-    throw CrackError(b,
-                     "cracks " + a.name + " and " + b.name +
-                         " are too near each other for this mesh: they cut elements with a common node; refine the "
-                         "mesh between them");
+    throw CrackError(b, "cracks " + a.name + " and " + b.name +
+                            " are too near each other for this mesh: they cut elements with a common node; refine the "
+                            "mesh between them");
   }
 
   // A node opens if some element has a part on the other side of the crack.

@@ -23,7 +23,8 @@ void check_way_on(const Crack& crack, const Vec2& reached, int end) {
   for (std::size_t k = 2; k < segments; ++k) {
     const std::size_t other = end == 0 ? k : segments - 1 - k;
     if (segments_meet(nominal, reached, points[other], points[other + 1])) {
-      throw CrackError(crack,
+      throw CrackError(
+          crack,
           "winds so tightly that its end, led on to an element edge, meets the crack itself; refine the mesh there");
     }
   }

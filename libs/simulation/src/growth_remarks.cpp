@@ -76,9 +76,8 @@ std::vector<std::string> remarks_on_growth(const problem::Specification& scene, 
     }
   }
   if (may && !did)
-    out.push_back(
-        fmt::format("no tip advanced; the largest demand at the end is {:.3g}, and 1 is what the criteria ask for",
-                    record.ratio));
+    out.push_back(fmt::format(
+        "no tip advanced; the largest demand at the end is {:.3g}, and 1 is what the criteria ask for", record.ratio));
   return out;
 }
 

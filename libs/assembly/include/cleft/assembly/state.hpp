@@ -42,7 +42,7 @@ struct History {
   double deepest = 0.0;                               ///< largest penetration so far, metres
   std::vector<constitutive::PlasticState> plastic{};  ///< per material point; empty if the material has no memory
   double duration = constitutive::kForever;           ///< of the increment under way, in units of the load
-  contact::MultiplierState multipliers{};                    ///< of mortar contact; empty without
+  contact::MultiplierState multipliers{};             ///< of mortar contact; empty without
 };
 
 /// A converged state. Only `commit` (stepping) makes a new one; the iteration reads it.
