@@ -17,12 +17,12 @@ namespace {
 
 using geometry::Side;
 
-constexpr double kYoung = 2e6, kPoisson = 0.3, kPressure = 0.02 * kYoung;
+constexpr double kPatchYoung = 2e6, kPoisson = 0.3, kPressure = 0.02 * kPatchYoung;
 constexpr double kStretchAlong = 1.03;     // of the elastic body along its face
 constexpr double kLonger = 5.0;            // stretch of the rigid body, so that it covers the face at every position
 constexpr double kFrom = -1.0, kTo = 1.2;  // where it is dragged, metres: 22 elements
 // loads at which it has been lifted and stretched, at which it presses, and at which friction is fully mobilised
-constexpr double kLifted = 0.1, kPressed = 0.2, kSlides = 0.25;
+constexpr double kLifted = 0.1, kPressedAt = 0.2, kSlides = 0.25;
 const Vec2 kStart(0.0, 0.45), kEnd(1.0, 0.62);
 
 struct Patch {
@@ -58,7 +58,7 @@ problem::Specification square(const Patch& patch) {
   scene.mesh.kind = mesh;
   problem::MaterialSpec material;
   material.model = patch.material;
-  material.young = kYoung;
+  material.young = kPatchYoung;
   material.poisson = kPoisson;
   scene.materials = {material};
   problem::CrackSpec crack;
@@ -88,16 +88,16 @@ struct Motion {
     return kStart + turn * (elastic ? deformed(local, load) : moved(local, load)) - X;
   }
   Vec2 deformed(const Vec2& x, double load) const {
-    return x + ramp(load, kLifted, kPressed) * (F - Mat2::Identity()) * x;
+    return x + ramp(load, kLifted, kPressedAt) * (F - Mat2::Identity()) * x;
   }
   // lifted off while it is stretched, then put down, then dragged
   Vec2 moved(const Vec2& x, double load) const {
     constexpr double kMiddle = 0.5, kLift = 0.3;
-    const double up = ramp(load, 0.0, 0.2 * kLifted) - ramp(load, kLifted, kPressed);
+    const double up = ramp(load, 0.0, 0.2 * kLifted) - ramp(load, kLifted, kPressedAt);
     const double off = above ? kLift : -kLift;
     return {kMiddle + (1.0 + (kLonger - 1.0) * ramp(load, 0.0, kLifted)) * (x.x() - kMiddle) +
-                kFrom * ramp(load, 0.0, kLifted) + (kTo - kFrom) * ramp(load, kPressed, 1.0),
-            x.y() + up * off + ramp(load, kLifted, kPressed) * gap};
+                kFrom * ramp(load, 0.0, kLifted) + (kTo - kFrom) * ramp(load, kPressedAt, 1.0),
+            x.y() + up * off + ramp(load, kLifted, kPressedAt) * gap};
   }
 };
 

@@ -15,9 +15,9 @@ namespace {
 
 // Without lateral contraction and at strains so small that squares do not count, a body that is held vertically on all
 // sides is pressed by one stress and sheared by another, and its free sides need no horizontal force.
-constexpr double kYoung = 1e10, kFriction = 0.4, kBodyHeight = 1.0;
-constexpr double kPressed = 1e-7;                                    // strain
-constexpr double kSlips = kFriction * kPressed * 2.0 * kBodyHeight;  // displacement at which the crack slides at first
+constexpr double kReversedYoung = 1e10, kFriction = 0.4, kBodyHeight = 1.0;
+constexpr double kClosing = 1e-7;                                    // strain
+constexpr double kSlips = kFriction * kClosing * 2.0 * kBodyHeight;  // displacement at which the crack slides at first
 constexpr double kFar = 3.0 * kSlips;                                // where it is turned back
 constexpr int kLegs = 6;
 
@@ -36,7 +36,7 @@ problem::Specification square(const Body& body, int steps_a_leg) {
   scene.kinematics = body.kinematics;
   problem::MaterialSpec material;
   material.model = "hencky";
-  material.young = kYoung;
+  material.young = kReversedYoung;
   scene.materials = {material};
   problem::CrackSpec crack;
   crack.name = "joint";
@@ -69,7 +69,7 @@ void prescribe(assembly::Model& model) {
     if (high) top.unknowns.push_back(q);
   }
   sides.displacement = [](const Vec2& X, geometry::MaybeSide, double load) {
-    return Vec2(0.0, -kPressed * X.y() * std::min(1.0, (kLegs + 1) * load));
+    return Vec2(0.0, -kClosing * X.y() * std::min(1.0, (kLegs + 1) * load));
   };
   bottom.displacement = [](const Vec2&, geometry::MaybeSide, double) { return Vec2(0.0, 0.0); };
   top.displacement = [](const Vec2&, geometry::MaybeSide, double load) { return Vec2(shear_at(load), 0.0); };
@@ -100,7 +100,7 @@ TEST_P(Reversal, FollowsElasticityUpToTheConeFromEveryReversalWhateverTheIncreme
   Case table(fmt::format("stick and slip forth and back, {}", GetParam().name));
   const auto coarse = loop(GetParam(), 7), fine = loop(GetParam(), 70);
   ASSERT_EQ(10 * coarse.size(), fine.size());
-  const double strength = kFriction * kYoung * kPressed;
+  const double strength = kFriction * kReversedYoung * kClosing;
   const double stiffness = fine[70][1] / fine[70][0];  // of the first increment of the first leg
   double turned_at = 0.0, turned_with = 0.0, worst = 0.0, apart = 0.0, sense = 1.0;
   for (std::size_t k = 70; k < fine.size(); ++k) {

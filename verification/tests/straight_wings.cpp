@@ -12,7 +12,7 @@
 namespace cleft::verification {
 namespace {
 
-constexpr double kLoad = 1e5, kYoung = 1e10, kHalf = 1.0;  // Pa, Pa, m
+constexpr double kLoad = 1e5, kWingsYoung = 1e10, kHalf = 1.0;  // Pa, Pa, m
 const double kUnit = kLoad * std::sqrt(std::numbers::pi * kHalf);
 
 struct Wings {
@@ -125,7 +125,8 @@ TEST(StraightWings, FeelSoftSprings) {
   Case table("straight wings of 0.5 a, mu 0.3, springs against those of 10 E/h");
   const double k1 = mean_intensity(solve_with({}));
   const auto with = [&](double springs) {
-    const std::string value = fmt::format("{{normal_penalty={0},tangential_penalty={0}}}", springs * kYoung / 0.04);
+    const std::string value =
+        fmt::format("{{normal_penalty={0},tangential_penalty={0}}}", springs * kWingsYoung / 0.04);
     return mean_intensity(solve_with({}, {"crack.winged.contact=" + value})) / k1;
   };
   table.compare("K_I, springs of E/h", with(1.0), exact(1.0), within(0.008, "they let the crack close by p h / E"));

@@ -230,6 +230,7 @@ class Integral {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): five inputs and two results, which the caller keeps
 void integrate(const Surfaces& surfaces, const FacePositions& at, const std::vector<AnchorMap>& anchor_maps,
                std::span<const MortarSegment> mortar_segments, const std::array<Vec2, 2>& multipliers,
                MortarIntegrals& out, std::span<SlipByAnchor> by_anchor) {

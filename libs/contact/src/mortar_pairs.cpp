@@ -51,6 +51,7 @@ bool covers(const std::vector<Tile>& tiles, Index partner) {
 }
 
 // The segments of the chain of `seed` opposite a face.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): both directions share the tiles, and where they end
 void walk(const Surfaces& surfaces, const FacePositions& at, const Ray& ray, Index seed, std::vector<Tile>& out) {
   Tile tile;
   if (!projects(surfaces, at, ray, seed, tile)) return;
@@ -108,6 +109,8 @@ void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& t
 
 // Adds the parts of a tile that lie in an interval part, by anchor map; `first` and `last` bound the face's anchor
 // maps.
+// NOLINTNEXTLINE(readability-function-size): a range of maps, a part with its number, what lies opposite, and the
+// result
 void add_mortar_segments(const std::vector<AnchorMap>& anchor_maps, Index first, Index last,
                          const IntervalPart& interval_part, Index number, const Tile& tile,
                          std::vector<MortarSegment>& out) {
@@ -147,6 +150,8 @@ double anchor_on(const Surfaces& surfaces, const FacePositions& at, const Mortar
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one pass over faces, parts and tiles, all in ascending
+// order
 std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const FacePositions& at,
                                                 const std::vector<Pair>& pairs,
                                                 const std::vector<AnchorMap>& anchor_maps) {

@@ -31,6 +31,7 @@ std::vector<double> places_of(const std::vector<enrichment::Face>& faces, const 
   return out;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): nodes, intervals and parts of a chain grow together
 void add_chain(const std::vector<enrichment::Face>& faces, const std::vector<MultiplierSpacing>& plan,
                const std::vector<Index>& chain, MultiplierSpace& out,
                std::vector<std::vector<IntervalPart>>& interval_parts) {

@@ -30,6 +30,7 @@ UnknownPosition node(geometry::MaybeSide side = {}) {
   return {UnknownPosition::Of::Displacement, 3, {0.01, 0.02}, side};
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table of cases
 std::vector<Words> all() {
   using enum FailureKind;
   const UnknownPosition multiplier{.of = UnknownPosition::Of::Multiplier};
