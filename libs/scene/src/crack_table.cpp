@@ -113,7 +113,7 @@ const Table<CrackSpec>& crack_table() {
   const auto read_curve = [](const Section& s, CrackSpec& crack) {
     s.choice("curve", {"sine"});
     if (s.has("points")) s.fail("points", "a crack is either a polyline or a curve; allowed: points or curve");
-    crack.sine = Sine{};
+    crack.sine = Sine{.start = Vec2::Zero(), .end = Vec2::Zero()};
   };
   const auto write_curve = [](const CrackSpec& crack, Json& j) {
     if (crack.sine) j["curve"]["kind"] = "sine";
