@@ -109,8 +109,7 @@ void make_disjoint(const FacePositions& at, const Ray& ray, std::vector<Tile>& t
 
 // Adds the parts of a tile that lie in an interval part, by anchor map; `first` and `last` bound the face's anchor
 // maps.
-// NOLINTNEXTLINE(readability-function-size): a range of maps, a part with its number, what lies opposite, and the
-// result
+// NOLINTNEXTLINE(readability-function-size): a range of maps, a part, a tile and the result
 void add_mortar_segments(const std::vector<AnchorMap>& anchor_maps, Index first, Index last,
                          const IntervalPart& interval_part, Index number, const Tile& tile,
                          std::vector<MortarSegment>& out) {
@@ -150,8 +149,7 @@ double anchor_on(const Surfaces& surfaces, const FacePositions& at, const Mortar
 
 }  // namespace
 
-// NOLINTNEXTLINE(readability-function-cognitive-complexity): one pass over faces, parts and tiles, all in ascending
-// order
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one pass over ascending faces and tiles
 std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const FacePositions& at,
                                                 const std::vector<Pair>& pairs,
                                                 const std::vector<AnchorMap>& anchor_maps) {
