@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "../tests/small_models.hpp"
+#include "solve/tests/small_models.hpp"
 #include "cleft/assembly/assembler.hpp"
 #include "cleft/assembly/state.hpp"
 #include "mumps.hpp"

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "../tests/small_models.hpp"
+#include "solve/tests/small_models.hpp"
 #include "cleft/assembly/assembler.hpp"
 
 namespace {
