@@ -23,7 +23,7 @@ const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
 
 const char* block_of(const contact::Pair& pair, const contact::ContactState& memory) {
   if (!presses(pair)) return "contact open";
-  if (pair.state.ramp < 1.0) return "contact at a mouth";
+  if (pair.state.ramp < 1.0) return kAtMouth;
   if (memory.anchor_face == kNone) return "contact first touch";
   return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
 }

@@ -1,6 +1,7 @@
 // On which smooth branch of the contact law a point stands.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "cleft/assembly/model.hpp"
@@ -16,6 +17,13 @@ const char* kink_between(const contact::Pair& a, const contact::Pair& b);
 inline bool is_mortar(const assembly::Model& model, Index point) {
   return model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[point].face].crack);
 }
+
+/// What block_of calls contact points and nodes of multipliers.
+inline constexpr const char* kAtMouth = "contact at a mouth";
+inline constexpr std::array kPointBranches{"contact open", "contact stick", "contact slip", "contact first touch"};
+inline constexpr const char* kMultiplierForces = "multiplier forces";
+inline constexpr std::array kMultiplierBranches{kMultiplierForces, "contact hat open", "contact hat stick",
+                                                "contact hat slip", "contact hat leaning"};
 
 /// "contact stick" and the like.
 const char* block_of(const contact::Pair& pair, const contact::ContactState& memory);

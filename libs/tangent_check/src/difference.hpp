@@ -43,6 +43,10 @@ inline bool is_certain(const Quotient& q, double scale, double tolerance) {
   return q.uncertainty <= 0.25 * tolerance * std::fmax(scale, std::fabs(q.value));
 }
 
+/// Rows in which the forces of the two faces cancel, at a tip, are rounding: this part of the largest entry of contact
+/// is their scale.
+inline constexpr double kFaint = 1e-3;
+
 /// Why a part is listed some of whose entries are left out.
 inline constexpr const char* kUnclear = "two sizes of the step disagree";
 

@@ -53,9 +53,10 @@ class ColumnGroup {
   }
 
   void compare(Index row, int direction, const Forces& forces) const {
-    TangentBlock& block = check_.block_of(row / 2);
+    TangentBlock* block = check_.block_of(row / 2);
+    if (!block) return;
     if (forces.kinked[row / 2]) {
-      ++block.left_out;
+      ++block->left_out;
       return;
     }
     const Index j = owner_[row / 2];
@@ -67,7 +68,7 @@ class ColumnGroup {
       compared.column = 2 * j + direction;
       compared.exact = check_.matrix.entry(row, compared.column);
     }
-    count(block, compared, q, check_.tolerance);
+    count(*block, compared, q, check_.tolerance);
   }
 
   const MatrixCheck& check_;
@@ -80,7 +81,8 @@ class ColumnGroup {
 }  // namespace
 
 void check_matrix(const MatrixCheck& check) {
-  const VecX scale = largest_of_rows(check.matrix);
+  VecX scale = largest_of_rows(check.matrix);
+  if (check.faint > 0.0) scale = scale.cwiseMax(check.faint * scale.maxCoeff()).eval();
   for (const auto& columns : colour_columns(check.matrix)) {
     const ColumnGroup group(check, scale, columns);
     for (const int direction : {0, 1}) group.compare(direction);

@@ -16,8 +16,8 @@ struct GlobalForce {
 };
 using Evaluate = std::function<GlobalForce(const VecX& u)>;
 
-/// The block that takes the entries of a row of unknowns.
-using BlockOfRow = std::function<TangentBlock&(Index unknown)>;
+/// The block that takes the entries of a row of unknowns; null for rows that are not compared.
+using BlockOfRow = std::function<TangentBlock*(Index unknown)>;
 
 /// A matrix, and the force whose derivative it should be.
 struct MatrixCheck {
@@ -27,6 +27,7 @@ struct MatrixCheck {
   Evaluate evaluate;
   BlockOfRow block_of;
   double load = 0.0, tolerance = 0.0;
+  double faint = 0.0;  ///< rows whose entries are below this part of the largest of all are measured by it
 };
 
 /// Compares all columns, many at a time. A force that changes although none of the moved columns has an entry in its

@@ -44,7 +44,7 @@ struct Chain {
                       [&](const VecX& at) {
                         return GlobalForce{force(at), kinked};
                       },
-                  .block_of = [&](Index) -> TangentBlock& { return out; },
+                  .block_of = [&](Index) { return &out; },
                   .tolerance = 1e-6});
     return out;
   }
