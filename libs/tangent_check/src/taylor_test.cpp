@@ -31,6 +31,8 @@ struct Remainder {
 struct FirstOrder {
   double part = 0.0, larger = 0.0, smaller = 0.0;  // of |K v|; and both remainders over e |K v|
   Index row = kNone;                               // where the part is largest
+
+  double order() const { return 1.0 + std::log(larger / smaller) / std::log(kRatio); }
 };
 
 class Line {
@@ -88,7 +90,7 @@ bool test_remainder(const CheckedState& at, double tolerance, assembly::Assemble
   for (int k = 1; k < kMost; ++k, size /= kRatio) {
     Remainder smaller = line.at(size / kRatio);
     const FirstOrder now = line.first_order(larger, smaller, size);
-    if (!order && now.smaller > kLinear) order = 1.0 + std::log(now.larger / now.smaller) / std::log(kRatio);
+    if (!order && now.smaller > kLinear) order = now.order();
     const double apart = last ? std::fabs(now.part - last->part) : std::numeric_limits<double>::infinity();
     if (apart < uncertainty) {
       uncertainty = apart;
@@ -103,13 +105,14 @@ bool test_remainder(const CheckedState& at, double tolerance, assembly::Assemble
     return true;
   }
   ++out.states;
-  if (order && best->part < tolerance) out.order = std::fmin(out.order, *order);
+  const bool holds = best->part < tolerance;
+  if (order) out.order = std::fmin(out.order, holds ? *order : best->order());
   if (best->row != kNone && (out.states == 1 || best->part > out.first_order)) {
     out.first_order = best->part;
     out.load = at.load;
     out.force = describe_component(at.model, best->row);
   }
-  return best->part < tolerance;
+  return holds;
 }
 
 }  // namespace cleft::tangent_check

@@ -79,7 +79,7 @@ TEST(CheckTangent, ListsWhereTheOtherFaceEnds) {
                              fmt::format("crack.main.negative_side={}", side), fmt::format("boundary.top.ux={}", along),
                              "boundary.top.uy=-0.015", "loading.steps=10", "loading.outputs=[1.0]"});
       TangentReport report = body.along_the_run(5);
-      EXPECT_LT(report.worst(), 1e-8) << along << side;
+      EXPECT_LT(report.worst(), 1e-7) << along << side << ": steps that avoid a kink are shorter and round more";
       EXPECT_TRUE(report.enough());
     }
 }
