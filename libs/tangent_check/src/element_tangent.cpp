@@ -18,17 +18,21 @@ class Separation {
  public:
   explicit Separation(double reach) : reach_(reach) {}
 
-  // `slope`: per unknown, how fast the strain grows with it, 1/m.
-  void add(Kind kind, std::vector<Index> points, std::vector<Index> unknowns, const std::vector<double>& slope) {
-    BodyPiece piece{kind, std::move(points), std::move(unknowns), {}, next_};
-    for (const double by : slope) piece.step.push_back(first_step(by > 0.0 ? 1.0 / by : 1.0, reach_));
+  // `slope`: per unknown, how fast the strain grows with it, 1/m; `stiffness`: modulus times area, N.
+  void add(Kind kind, std::vector<Index> points, std::vector<Index> unknowns, const std::vector<double>& slope,
+           double stiffness) {
+    BodyPiece piece{kind, std::move(points), std::move(unknowns), {}, {}, next_};
+    for (const double by : slope) {
+      piece.step.push_back(first_step(by > 0.0 ? 1.0 / by : 1.0, reach_));
+      piece.least.push_back(kFaint * stiffness * by * by);
+    }
     next_ += static_cast<Index>(piece.unknowns.size());
     pieces_.push_back(std::move(piece));
   }
 
   // The unknowns and gradients of one or two cells, or of a point of branch functions.
   template <class Point>
-  void add(Kind kind, const std::vector<Index>& numbers, const std::vector<const Point*>& points) {
+  void add(Kind kind, const std::vector<Index>& numbers, const std::vector<const Point*>& points, double stiffness) {
     std::vector<Index> unknowns;
     std::vector<double> slope;
     for (const Point* point : points)
@@ -40,7 +44,7 @@ class Separation {
         }
         slope[at] = std::max(slope[at], point->gradient[k].norm());
       }
-    add(kind, numbers, std::move(unknowns), slope);
+    add(kind, numbers, std::move(unknowns), slope, stiffness);
   }
 
   std::vector<BodyPiece> pieces() { return std::move(pieces_); }
@@ -53,21 +57,24 @@ class Separation {
 
 std::vector<BodyPiece> pieces_of(const assembly::Model& model, double reach) {
   Separation out(reach);
+  const auto modulus = [&](Index point) { return constitutive::uniaxial_strain_modulus(model.constants(point)); };
   const auto cells = static_cast<Index>(model.cells.size());
   for (Index c = 0; c < cells; ++c) {
     const Index partner = model.f_bar_partner.empty() ? kNone : model.f_bar_partner[c];
     const auto* cell = &model.cells[c];
     if (partner == kNone)
-      out.add<enrichment::Cell>(Kind::Bulk, {c}, {cell});
+      out.add<enrichment::Cell>(Kind::Bulk, {c}, {cell}, modulus(c) * cell->area);
     else if (c < partner)
-      out.add<enrichment::Cell>(Kind::Patch, {c, partner}, {cell, &model.cells[partner]});
+      out.add<enrichment::Cell>(Kind::Patch, {c, partner}, {cell, &model.cells[partner]}, modulus(c) * cell->area);
   }
   for (Index p = 0; p < static_cast<Index>(model.tip_points.size()); ++p)
-    out.add<enrichment::TipPoint>(Kind::Tip, {cells + p}, {&model.tip_points[p]});
+    out.add<enrichment::TipPoint>(Kind::Tip, {cells + p}, {&model.tip_points[p]},
+                                  modulus(cells + p) * model.tip_points[p].weight);
   for (const auto& tie : model.ties) {
     std::vector<double> slope;
     for (const double s : tie.slope) slope.push_back(std::fabs(s));
-    out.add(Kind::Tie, {tie.cell}, {tie.unknown.begin(), tie.unknown.end()}, slope);
+    out.add(Kind::Tie, {tie.cell}, {tie.unknown.begin(), tie.unknown.end()}, slope,
+            assembly::tie_stiffness(model, tie));
   }
   return out.pieces();
 }
@@ -139,7 +146,7 @@ double ElementTangents::entry(const BodyPiece& piece, int row, int column) const
 }
 
 double ElementTangents::scale(const BodyPiece& piece, int row) const {
-  double out = 0.0;
+  double out = piece.least[row / 2];
   for (int column = 0; column < piece.components(); ++column) out = std::max(out, std::fabs(entry(piece, row, column)));
   return out;
 }

@@ -18,6 +18,7 @@ struct BodyPiece {
   std::vector<Index> points{};    ///< material points; of a tie the one whose modulus counts
   std::vector<Index> unknowns{};  ///< in the whole body
   std::vector<double> step{};     ///< the first one of each unknown
+  std::vector<double> least{};    ///< scale of each unknown's rows, by which entries are measured that are smaller
   Index first = 0;                ///< of its unknowns in the separated body
   int components() const { return 2 * static_cast<int>(unknowns.size()); }
 };

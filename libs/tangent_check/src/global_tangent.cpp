@@ -101,7 +101,7 @@ class ColumnGroup {
 
 void check_matrix(const MatrixCheck& check) {
   VecX scale = largest_of_rows(check.matrix);
-  if (check.faint > 0.0) scale = scale.cwiseMax(check.faint * scale.maxCoeff()).eval();
+  if (check.least_scale.size() > 0) scale = scale.cwiseMax(check.least_scale).eval();
   for (const auto& columns : colour_columns(check.matrix)) {
     const ColumnGroup group(check, scale, columns);
     for (const int direction : {0, 1}) group.compare(direction);

@@ -27,7 +27,7 @@ struct MatrixCheck {
   Evaluate evaluate;
   BlockOfRow block_of;
   double load = 0.0, tolerance = 0.0;
-  double faint = 0.0;  ///< rows whose entries are below this part of the largest of all are measured by it
+  VecX least_scale{};  ///< of each row, by which entries are measured if all in it are smaller; empty: none
 };
 
 /// Compares all columns, many at a time. A force that changes although none of the moved columns has an entry in its

@@ -1,5 +1,8 @@
 #include "multiplier_tangent.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "branch.hpp"
 #include "difference.hpp"
 #include "faces_alone.hpp"
@@ -38,7 +41,10 @@ void check_multipliers(const CheckedState& at, const std::vector<double>& step, 
     if (const Index node = unknown - faces.unknowns.displacements(); node >= 0) return conditions[node];
     return moves[unknown] ? &forces : nullptr;
   };
-  check_matrix({matrix, at.u, step, ForceNearby(here, assembler), block_of_row, at.load, tolerance, kFaint});
+  double largest = 0.0;
+  for (const double entry : matrix.values()) largest = std::max(largest, std::fabs(entry));
+  check_matrix({matrix, at.u, step, ForceNearby(here, assembler), block_of_row, at.load, tolerance,
+                VecX::Constant(matrix.rows(), kFaint * largest)});
 }
 
 }  // namespace cleft::tangent_check

@@ -10,6 +10,17 @@ namespace {
 
 constexpr int kTries = 3;  // states that are compared for the sake of a branch that cannot be judged in them
 
+// The state swollen by e in all directions: its places times 1 + e. What flows then comes to its apex.
+VecX swollen(const assembly::Model& model, const VecX& u, double e) {
+  VecX out = u;
+  for (Index k = 0; k < model.unknowns.displacements(); ++k) {
+    const Index node = model.unknowns.node_of[k];
+    const Vec2 reference = node == kNone ? Vec2(Vec2::Zero()) : model.mesh.nodes[node];
+    out.segment<2>(2 * k) += e * (reference + u.segment<2>(2 * k));
+  }
+  return out;
+}
+
 class Survey {
  public:
   Survey(const SurveyControls& controls, TangentReport& report, const SurveyObserver& observer)
@@ -23,7 +34,8 @@ class Survey {
     IntermediateState back = state;
     back.displacement = 2.0 * state.before.displacement - state.displacement;
     back.load = state.before.load;
-    return look_back_at(back);
+    if (!look_beside_at(back)) return false;
+    return !due || look_at_apex(state);
   }
 
   const std::optional<assembly::Failure>& no_forces() const { return no_forces_; }
@@ -39,11 +51,25 @@ class Survey {
     return true;
   }
 
-  bool look_back_at(const IntermediateState& state) {
+  // Of a state that the run does not come to.
+  bool look_beside_at(const IntermediateState& state) {
     assembly::Assembler assembler(state.model);
     const CheckedState at{state.model, state.before.history, state.displacement, state.load};
-    if (assembler.assemble(at.u, at.history)) return true;  // no run comes there
+    if (assembler.assemble(at.u, at.history)) return true;
     return !has_new_branch(at, assembler) || compare(state);
+  }
+
+  // Swells the state until an apex is met that no state came to.
+  bool look_at_apex(const IntermediateState& state) {
+    const auto misses_apex = [&] {
+      return std::ranges::any_of(report_.not_visited(), [](const auto& name) { return name.ends_with("apex"); });
+    };
+    for (double e = 1e-4; e < 0.5 && misses_apex(); e *= 2.0) {
+      IntermediateState beside = state;
+      beside.displacement = swollen(state.model, state.displacement, e);
+      if (!look_beside_at(beside)) return false;
+    }
+    return true;
   }
 
   bool has_new_branch(const CheckedState& at, const assembly::Assembler& assembler) {

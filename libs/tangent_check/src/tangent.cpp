@@ -22,13 +22,15 @@ namespace {
 constexpr double kClearOfRounding = 4.0;
 
 // `assembler`: as it has assembled the state.
-void check_global(const CheckedState& at, std::vector<double> step, double tolerance, assembly::Assembler& assembler,
-                  TangentReport& report) {
+void check_global(const CheckedState& at, std::vector<double> step, const std::vector<double>& stiffness,
+                  double tolerance, assembly::Assembler& assembler, TangentReport& report) {
   const assembly::BlockMatrix matrix = assembler.matrix();
+  VecX least(matrix.rows());
+  for (Index row = 0; row < matrix.rows(); ++row) least[row] = kFaint * stiffness[row / 2];
   TangentBlock& assembled = report.blocks["assembled"];
   ++assembled.pieces;
   check_matrix({matrix, at.u, std::move(step), ForceNearby(at, assembler), [&](Index) { return &assembled; }, at.load,
-                tolerance});
+                tolerance, std::move(least)});
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ std::optional<assembly::Failure> check_tangent(const assembly::Model& model, con
   for (double& h : step) h = std::max(h, least);
   const CheckedState at{model, history, u, load};
   if (!model.surfaces.multiplier_space.empty()) check_multipliers(at, step, tolerance, report);
-  check_global(at, std::move(step), tolerance, assembler, report);
+  check_global(at, std::move(step), lengths.stiffness, tolerance, assembler, report);
   report.possible.merge(possible_branches(model));
   ++report.states;
   return std::nullopt;
