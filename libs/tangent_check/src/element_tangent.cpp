@@ -24,7 +24,7 @@ class Separation {
     BodyPiece piece{kind, std::move(points), std::move(unknowns), {}, {}, next_};
     for (const double by : slope) {
       piece.step.push_back(first_step(by > 0.0 ? 1.0 / by : 1.0, reach_));
-      piece.least.push_back(kFaint * stiffness * by * by);
+      piece.least.push_back(kFaint * stiffness * by * std::ranges::max(slope));
     }
     next_ += static_cast<Index>(piece.unknowns.size());
     pieces_.push_back(std::move(piece));

@@ -22,11 +22,9 @@ class ColumnGroup {
  public:
   ColumnGroup(const MatrixCheck& check, const VecX& scale, const std::vector<Index>& columns)
       : check_(check), scale_(scale), columns_(columns), owner_(check.matrix.size(), kNone) {
-    smallest_ = check.step[columns.front()];
-    for (const Index j : columns) {
-      smallest_ = std::min(smallest_, check.step[j]);
+    smallest_ = *std::ranges::min_element(columns, {}, [&](Index j) { return check.steps.first[j]; });
+    for (const Index j : columns)
       for (const Index i : check.matrix.block_rows(j)) owner_[i] = j;
-    }
   }
 
   /// Moves the columns along x (0) or y (1) and compares every row, by smaller steps where there is a kink within the
@@ -50,11 +48,15 @@ class ColumnGroup {
     std::vector<bool> kinked;              // of each block row: not differentiable between them
   };
 
+  double step(Index column, double factor) const {
+    return std::max(factor * check_.steps.first[column], check_.steps.least);
+  }
+
   Forces forces_along(int direction, double factor) const {
     Forces out{{}, std::vector<bool>(check_.matrix.size(), false)};
     for (std::size_t k = 0; k < kOffsets.size(); ++k) {
       VecX there = check_.u;
-      for (const Index j : columns_) there[2 * j + direction] += kOffsets[k] * factor * check_.step[j];
+      for (const Index j : columns_) there[2 * j + direction] += kOffsets[k] * step(j, factor);
       GlobalForce at = check_.evaluate(there);
       out.at[k] = std::move(at.force);
       for (const Index i : at.kinked) out.kinked[i] = true;
@@ -68,7 +70,7 @@ class ColumnGroup {
     if (forces.kinked[row / 2]) return !check_.block_of(row / 2);
     const Index j = owner_[row / 2];
     const auto q = quotient({forces.at[0][row], forces.at[1][row], forces.at[2][row], forces.at[3][row]},
-                            factor * (j == kNone ? smallest_ : check_.step[j]));
+                            step(j == kNone ? smallest_ : j, factor));
     if (!best || q.uncertainty < best->uncertainty) best = q;
     return is_certain(*best, scale_[row], check_.tolerance);
   }
@@ -94,7 +96,7 @@ class ColumnGroup {
   const VecX& scale_;  // largest entry of each row
   const std::vector<Index>& columns_;
   std::vector<Index> owner_;  // of each block row: the column of this group with an entry in it
-  double smallest_ = 0.0;     // step
+  Index smallest_ = kNone;    // the column with the smallest step
 };
 
 }  // namespace

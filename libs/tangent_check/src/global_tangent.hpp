@@ -19,11 +19,17 @@ using Evaluate = std::function<GlobalForce(const VecX& u)>;
 /// The block that takes the entries of a row of unknowns; null for rows that are not compared.
 using BlockOfRow = std::function<TangentBlock*(Index unknown)>;
 
+/// Steps of differences, metres.
+struct GlobalSteps {
+  std::vector<double> first;  ///< per unknown
+  double least = 0.0;         ///< below which rounding shows
+};
+
 /// A matrix, and the force whose derivative it should be.
 struct MatrixCheck {
   const assembly::BlockMatrix& matrix;
-  const VecX& u;             ///< where, metres, all components
-  std::vector<double> step;  ///< of the differences, per unknown, metres
+  const VecX& u;  ///< where, metres, all components
+  const GlobalSteps& steps;
   Evaluate evaluate;
   BlockOfRow block_of;
   double load = 0.0, tolerance = 0.0;

@@ -20,8 +20,7 @@ std::vector<bool> unknowns_of_mortar_faces(const assembly::Model& model) {
 
 }  // namespace
 
-void check_multipliers(const CheckedState& at, const std::vector<double>& step, double tolerance,
-                       TangentReport& report) {
+void check_multipliers(const CheckedState& at, const GlobalSteps& steps, double tolerance, TangentReport& report) {
   const assembly::Model faces = without_bulk(at.model);
   const assembly::History history{
       at.history.contact, at.history.deepest, {}, at.history.duration, at.history.multipliers};
@@ -43,7 +42,7 @@ void check_multipliers(const CheckedState& at, const std::vector<double>& step, 
   };
   double largest = 0.0;
   for (const double entry : matrix.values()) largest = std::max(largest, std::fabs(entry));
-  check_matrix({matrix, at.u, step, ForceNearby(here, assembler), block_of_row, at.load, tolerance,
+  check_matrix({matrix, at.u, steps, ForceNearby(here, assembler), block_of_row, at.load, tolerance,
                 VecX::Constant(matrix.rows(), kFaint * largest)});
 }
 

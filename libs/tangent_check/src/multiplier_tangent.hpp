@@ -7,8 +7,7 @@
 namespace cleft::tangent_check {
 
 /// Compares the faces without the body, so that every force and condition is one of contact; sums up the forces as one
-/// block, and the conditions by those that their nodes have. `step`: of the differences, per unknown, metres.
-void check_multipliers(const CheckedState& at, const std::vector<double>& step, double tolerance,
-                       TangentReport& report);
+/// block, and the conditions by those that their nodes have.
+void check_multipliers(const CheckedState& at, const GlobalSteps& steps, double tolerance, TangentReport& report);
 
 }  // namespace cleft::tangent_check

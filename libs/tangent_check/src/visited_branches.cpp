@@ -90,7 +90,8 @@ BranchNames all_branches() {
 std::vector<std::string> words_of_branches() {
   BranchNames words;
   for (const auto& name : all_branches())
-    for (const auto& word : words_of(name)) words.insert(word);
+    for (const auto& word : words_of(name))
+      if (word.size() > 2) words.insert(word);  // "at a mouth"
   return {words.begin(), words.end()};
 }
 

@@ -37,9 +37,10 @@ struct Chain {
   TangentBlock check(std::vector<Index> kinked = {}) const {
     TangentBlock out;
     out.pieces = 1;
+    const GlobalSteps steps{{0x1p-17, 0x1p-17, 0x1p-18}};
     check_matrix({.matrix = matrix,
                   .u = u,
-                  .step = {0x1p-17, 0x1p-17, 0x1p-18},
+                  .steps = steps,
                   .evaluate =
                       [&](const VecX& at) {
                         return GlobalForce{force(at), kinked};

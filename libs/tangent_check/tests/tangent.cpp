@@ -63,6 +63,7 @@ TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
         EXPECT_LT(report.worst(), 1e-8) << run.scene << contact << side;
         EXPECT_TRUE(report.enough());
         for (const char* branch : run.branches) EXPECT_GT(report.blocks[branch].entries, 0) << branch;
+        EXPECT_GT(report.blocks["multiplier forces"].entries, 0);
         EXPECT_EQ(report.blocks.count("contact slip"), 0U) << "the points carry nothing themselves";
       }
   }

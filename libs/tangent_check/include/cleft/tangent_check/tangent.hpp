@@ -73,8 +73,8 @@ struct TangentReport {
   std::vector<std::string> not_visited() const;
   /// Whether some entry was judged of a branch whose name has all these words, which blanks divide.
   bool has_judged(const std::string& words) const;
-  /// Why too little was judged to tell whether the tangent holds: blocks of which less than half of the entries were
-  /// judged, contact points that press but none of which was, one reason each. Empty: enough was.
+  /// Why too little was judged to tell whether the tangent holds: blocks of whose entries less than half was judged, or
+  /// less than a quarter of the contact points that press; one reason each. Empty: enough was.
   std::vector<std::string> gaps() const;
   bool enough() const { return gaps().empty(); }
 };
