@@ -1,8 +1,8 @@
 // The block of Liu and Borja 2010, section 6.1: assembly of bulk and contact, pattern, factorisation and solution.
 #include <benchmark/benchmark.h>
 
-#include "../tests/small_models.hpp"
 #include "cleft/solve/stepping.hpp"
+#include "solve/tests/small_models.hpp"
 
 namespace {
 

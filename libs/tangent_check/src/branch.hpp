@@ -13,7 +13,7 @@ namespace cleft::tangent_check {
 /// other. Null if nothing does.
 const char* kink_between(const contact::Pair& a, const contact::Pair& b);
 
-/// Whether a contact point only shows what its crack's hats carry.
+/// Whether a contact point only shows the tractions of its crack's multipliers.
 inline bool is_mortar(const assembly::Model& model, Index point) {
   return model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[point].face].crack);
 }
@@ -22,16 +22,16 @@ inline bool is_mortar(const assembly::Model& model, Index point) {
 inline constexpr const char* kAtMouth = "contact at a mouth";
 inline constexpr std::array kPointBranches{"contact open", "contact stick", "contact slip", "contact first touch"};
 inline constexpr const char* kMultiplierForces = "multiplier forces";
-inline constexpr std::array kMultiplierBranches{kMultiplierForces, "contact hat open", "contact hat stick",
-                                                "contact hat slip", "contact hat leaning"};
+inline constexpr std::array kMultiplierBranches{kMultiplierForces, "multiplier open", "multiplier stick",
+                                                "multiplier slip", "multiplier leaning"};
 
 /// "contact stick" and the like.
-const char* block_of(const contact::Pair& pair, const contact::ContactState& memory);
+const char* block_of(const contact::Pair& pair, const contact::ContactState& past);
 
-/// "contact hat stick" and the like.
+/// "multiplier stick" and the like.
 const char* block_of(const contact::NodeState& node);
 
-/// Adds the unknowns in whose rows the hats' tractions or conditions are not differentiable between two states.
+/// Adds the unknowns in whose rows the multipliers' tractions or conditions are not differentiable between two states.
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out);
 
@@ -41,6 +41,6 @@ struct PairUnknowns {
   std::size_t forces = 0;
 };
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
-                         const contact::ContactState& memory);
+                         const contact::ContactState& past);
 
 }  // namespace cleft::tangent_check

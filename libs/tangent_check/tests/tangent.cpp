@@ -49,8 +49,8 @@ TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
     std::vector<std::string> overrides;
     std::vector<const char*> branches;
   };
-  const std::vector<Run> runs{{"block", {"mesh.cells=[8,16]"}, {"contact hat slip"}},
-                              {"rotation", {"crack.joint.friction=0.6", "loading.steps=10"}, {"contact hat stick"}}};
+  const std::vector<Run> runs{{"block", {"mesh.cells=[8,16]"}, {"multiplier slip"}},
+                              {"rotation", {"crack.joint.friction=0.6", "loading.steps=10"}, {"multiplier stick"}}};
   for (const auto& run : runs) {
     const std::string crack = std::string(run.scene) == "block" ? "main" : "joint";
     for (const char* contact : {"{method='mortar'}", "{method='mortar',smoothing=0}"})

@@ -23,10 +23,10 @@ struct Method {
 
 const std::vector<Method> kMethods{{"springs", {}, "contact slip"},
                                    {"springs, small strain", {"formulation.kinematics=\"small\""}, "contact slip"},
-                                   {"multipliers", {"crack.main.contact={method=\"mortar\"}"}, "contact hat slip"},
+                                   {"multipliers", {"crack.main.contact={method=\"mortar\"}"}, "multiplier slip"},
                                    {"multipliers, both faces",
                                     {"crack.main.contact={method=\"mortar\"}", "crack.main.negative_side=\"both\""},
-                                    "contact hat slip"}};
+                                    "multiplier slip"}};
 
 // A block with an edge crack whose faces slide, with the law on the crack.
 growth::Evolution body(const Method& method) {
