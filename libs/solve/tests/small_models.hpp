@@ -34,14 +34,17 @@ inline assembly::Prescribed hold(const assembly::Model& m, const std::string& on
           [at_full_load](const Vec2&, geometry::MaybeSide, double load) { return Vec2(load * at_full_load); }};
 }
 
+enum class Contact : std::uint8_t { Springs, Multipliers };
+
 /// Plane-strain compression of a block with a 45-degree edge crack (Liu and Borja 2010, section 6.1).
 inline assembly::Model block(int cells_across, contact::NegativeSide side,
-                             geometry::Diagonal diagonal = geometry::Diagonal::Right) {
+                             geometry::Diagonal diagonal = geometry::Diagonal::Right,
+                             Contact contact = Contact::Springs) {
   const geometry::Crack crack{"main", {{0.0, 0.01833}, {0.0349, 0.05323}}};
   const double penalty = problem::small::kYoung * cells_across / 0.04;
-  return problem::build_model(problem::small::block({cells_across, 2 * cells_across}, {-0.01, -0.01},
-                                                    problem::small::crack_with_springs(crack, 0.3, penalty, side),
-                                                    diagonal));
+  const auto spec = contact == Contact::Springs ? problem::small::crack_with_springs(crack, 0.3, penalty, side)
+                                                : problem::small::crack_with_multipliers(crack, 0.3, side);
+  return problem::build_model(problem::small::block({cells_across, 2 * cells_across}, {-0.01, -0.01}, spec, diagonal));
 }
 
 }  // namespace cleft::solve::models
