@@ -50,8 +50,8 @@ std::optional<assembly::Failure> visit_increments(growth::Evolution& body, const
     }
     const assembly::State& after = body.stepper().state();
     const bool grown = !std::get<growth::Step>(outcome).advances.empty();
-    if (!grown) before.history.duration = after.load - before.load;
-    const assembly::State& from = grown ? body.origin() : before;
+    assembly::State from = grown ? body.origin() : std::move(before);
+    from.history.duration = after.load - from.load;
     if (!visit(between(body.model(), from, after.displacement, after.load, grown ? Of::Growth : Of::Increment))) break;
   }
   return std::nullopt;
