@@ -47,7 +47,7 @@ std::optional<Vec2> flow_at(const assembly::Model& model, const assembly::Assemb
   return at ? std::optional(assembly::material_point(model, *at).reference) : std::nullopt;
 }
 
-// The node of the hat functions that an unknown is the multiplier of.
+// The node of the multiplier space that an unknown belongs to.
 Vec2 multiplier_at(const assembly::Model& model, Index unknown) {
   const auto& space = model.surfaces.multiplier_space;
   const contact::MultiplierNode& node = space.nodes[unknown - model.surfaces.first_multiplier];
