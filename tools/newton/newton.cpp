@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 
 #include "cleft/scene/read.hpp"
 #include "cleft/simulation/run.hpp"
@@ -46,7 +47,10 @@ std::string slowest(const tangent_check::IncrementRate& rate) {
 std::string evidence(const tangent_check::IncrementRate& rate) {
   std::string text = fmt::format("  increment {:4}  load {:8.5f}{}  order {}   residual/gradient of the correction",
                                  rate.step, rate.load, rate.failed ? "  failed" : "", order_of(rate.rate));
-  for (const auto& it : rate.iterations)
+  constexpr std::size_t kMost = 12;  // the last ones; failed attempts may have a hundred
+  const std::size_t first = rate.iterations.size() - std::min(rate.iterations.size(), kMost);
+  if (first > 0) text += " ...";
+  for (const auto& it : std::span(rate.iterations).subspan(first))
     text += fmt::format(" {:.1e}/{:.1e}{}", it.residual, it.gradient, it.switches() ? "*" : "");
   const std::string where = slowest(rate);
   return where.empty() ? text : text + "   slowest: " + where;

@@ -78,7 +78,7 @@ LargestResidual largest_residual(const assembly::Model& model, const assembly::A
     const geometry::TipBall& ball = model.cut.tips[tip];
     return {At::Tip, model.in_scene(geometry::tip_of(model.cracks[ball.crack], ball.end).point)};
   }
-  if (assembler.contact_force()[component] != 0.0)
+  if (model.has_contact() && assembler.contact_force()[component] != 0.0)
     if (const auto place = contact_at(model, assembler.pairs(), at)) return {At::Contact, model.in_scene(*place)};
   if (const auto place = flow_at(model, assembler, history, unknown)) return {At::Flow, model.in_scene(*place)};
   return {At::Node, model.in_scene(at.reference)};
