@@ -33,7 +33,8 @@ struct RunOptions {
   int threads = 1;
   std::function<void(const std::string&)> remark;  ///< hears the remarks on the scene, and what grows
   std::function<void(const Progress&)> observer;
-  const std::atomic<bool>* stop = nullptr;  ///< set to end the run after the increment under way
+  std::function<void(const solve::Step&)> step;  ///< hears each step that is recorded
+  const std::atomic<bool>* stop = nullptr;       ///< set to end the run after the increment under way
 };
 
 struct RunResult : results::Counts {
