@@ -52,7 +52,7 @@ struct Series {
 struct Cost {
   std::string variant;
   std::string what;  ///< seconds, megabytes, iterations, or seconds of a phase (factorise_seconds)
-  LimitFit fit;
+  PowerFit fit;
 };
 
 struct StudyResult {
