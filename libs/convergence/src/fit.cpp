@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "fit_posterior.hpp"
@@ -14,20 +13,11 @@
 namespace cleft::convergence {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLeastMeshes = 4;  // that may determine an order
-constexpr double kOrderKnownTo = 0.35;   // of the order
+constexpr double kOrderKnownTo = 0.5;    // of the order
 constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
-constexpr double kSafety = 1.25, kSafetyOfThree = 3.0;
-
-LimitFit nothing_known() {
-  LimitFit out;
-  out.asymptotic_ratio = out.limit = out.limit_pm = out.factor = out.order = out.order_pm = kUnknown;
-  out.scatter = out.finest_pm = out.safety = kUnknown;
-  return out;
-}
-
-bool holds(const Interval& interval, double value) { return interval.low <= value && value <= interval.high; }
+constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
+constexpr double kContradiction = 1.5;  // of a smaller window's half width
 
 double farthest(const Interval& interval, double value) {
   return std::fmax(std::fabs(interval.low - value), std::fabs(interval.high - value));
@@ -36,27 +26,35 @@ double farthest(const Interval& interval, double value) {
 struct Windowed {
   Posterior posterior;
   Draw answer;
-  std::size_t window = 0;
+
+  double order_pm() const { return farthest(posterior.order, answer.order); }
+  double limit_pm() const { return farthest(posterior.limit, answer.limit); }
 };
 
-bool agree(const Windowed& larger, const Windowed& smaller, const Sequence& s) {
-  return holds(smaller.posterior.order, larger.answer.order) &&
-         (!s.has_limit || holds(smaller.posterior.limit, larger.answer.limit));
+bool contradicts(const Windowed& smaller, const Windowed& larger) {
+  return std::fabs(larger.answer.order - smaller.answer.order) > kContradiction * smaller.order_pm() ||
+         std::fabs(larger.answer.limit - smaller.answer.limit) > kContradiction * smaller.limit_pm();
 }
 
-// The largest window of finest meshes whose answer lies in the intervals of all smaller ones (Lepski's rule): as many
-// meshes as there are before the coarse ones contradict the fine ones.
-Windowed choose_window(const Sequence& s) {
-  std::vector<Windowed> smaller;
-  Windowed chosen;
-  for (std::size_t window = std::min(kLeastMeshes, s.size()); window <= s.size(); ++window) {
-    const Sequence finest = s.finest(window);
-    Windowed next{posterior_of(finest), {}, window};
-    next.answer = most_probable(finest, next.posterior);
-    if (std::ranges::all_of(smaller, [&](const Windowed& other) { return agree(next, other, s); })) chosen = next;
-    smaller.push_back(next);
+// Answers of the finest meshes: four (or what there is), five, and so on.
+std::vector<Windowed> windows_of(const Sequence& s) {
+  std::vector<Windowed> out;
+  for (std::size_t meshes = std::min(kLeastMeshes, s.size()); meshes <= s.size(); ++meshes) {
+    const Sequence finest = s.finest(meshes);
+    const Posterior posterior = posterior_of(finest);
+    out.push_back({posterior, most_probable(finest, posterior)});
   }
-  return chosen;
+  return out;
+}
+
+// The largest window that none of the smaller ones contradicts (Lepski's rule): as many meshes as there are before the
+// coarse ones do not fit to the fine ones.
+std::size_t choose(const std::vector<Windowed>& windows) {
+  for (std::size_t k = windows.size(); k-- > 1;)
+    if (std::none_of(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(k),
+                     [&](const Windowed& smaller) { return contradicts(smaller, windows[k]); }))
+      return k;
+  return 0;
 }
 
 // Root mean square of what C h^p leaves.
@@ -73,6 +71,8 @@ double scatter_of(const Sequence& s, const LimitFit& fit) {
 std::string doubt(const Sequence& s, const LimitFit& fit, const Interval& order) {
   const std::size_t meshes = s.size() + (s.reference > 0.0 ? 1 : 0);
   if (meshes < kLeastMeshes) return fmt::format("{} meshes do not determine an order: {} do", meshes, kLeastMeshes);
+  if (fit.window < kLeastMeshes + 1 && fit.window < s.size())
+    return fmt::format("the coarse meshes contradict the finest {}, which are too few alone", fit.window);
   if (!s.has_limit && fit.kind == SeriesClass::Oscillating) return "the results cross the limit";
   if (fit.kind == SeriesClass::Diverging) return "the differences do not get smaller on the finest meshes";
   if (order.low <= kLeastOrder * 1.01)
@@ -84,24 +84,29 @@ std::string doubt(const Sequence& s, const LimitFit& fit, const Interval& order)
   return "";
 }
 
+// The largest error is that of the next larger window, too: a mesh that is left out by mistake does no harm.
 void fit_windows(const Sequence& s, LimitFit& out) {
-  const auto [posterior, answer, window] = choose_window(s);
-  out.window = window;
+  const auto windows = windows_of(s);
+  const std::size_t chosen = choose(windows);
+  const auto& [posterior, answer] = windows[chosen];
+  out.window = s.size() - (windows.size() - 1 - chosen);
   out.order = answer.order;
-  out.order_pm = farthest(posterior.order, answer.order);
+  out.order_pm = windows[chosen].order_pm();
   if (s.has_limit) {
     out.limit = answer.limit;
-    out.limit_pm = farthest(posterior.limit, answer.limit);
-    out.safety = s.size() < kLeastMeshes ? kSafetyOfThree : kSafety;
-    out.finest_pm = out.safety * posterior.finest_error;
+    out.limit_pm = windows[chosen].limit_pm();
   }
   const auto steps = steps_of(s);
   const std::size_t last = steps.size() - 2;
-  out.asymptotic_ratio = steps[last + 1] / steps[last] / ratio_of_steps(s, last, out.order);
-  out.factor = answer.factor * std::pow(s.h[s.size() - window], -answer.order);
-  out.scatter = scatter_of(s.finest(window), out);
+  if (steps[last] != 0.0) out.asymptotic_ratio = steps[last + 1] / steps[last] / ratio_of_steps(s, last, out.order);
+  out.factor = answer.factor * std::pow(s.h[s.size() - out.window], -answer.order);
+  out.scatter = scatter_of(s.finest(out.window), out);
   out.remark = doubt(s, out, posterior.order);
   out.determined = out.remark.empty();
+  if (!s.has_limit) return;
+  const auto& larger = windows[std::min(chosen + 1, windows.size() - 1)];
+  out.safety = s.size() < kLeastMeshes ? kSafetyOfThree : out.determined ? kSafety : kSafetyUndetermined;
+  out.finest_pm = out.safety * std::fmax(posterior.finest_error, larger.posterior.finest_error);
 }
 
 // Equal results have a limit and no order.
@@ -136,7 +141,7 @@ const char* name_of(SeriesClass kind) {
 
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options) {
   Sequence s = sequence_of(h, value, options).finest(kMostMeshes);
-  LimitFit out = nothing_known();
+  LimitFit out;
   out.kind = class_of(s);
   out.observed_order = observed_orders(s);
   if (out.kind == SeriesClass::TooFew)

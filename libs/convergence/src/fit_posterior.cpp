@@ -23,14 +23,14 @@ struct Weighted {
 // follow h^p, of the scatter and of an outlier are over C.
 constexpr int kOrders = 24;           // points of a scan over p
 constexpr double kFinestStep = 1e-4;  // of log p
-constexpr std::array kPreAsymptotic{Weighted{0.15, 0.4}, Weighted{0.6, 0.5}, Weighted{2.0, 0.1}};
+constexpr std::array kPreAsymptotic{Weighted{0.03, 0.2}, Weighted{0.15, 0.3}, Weighted{0.6, 0.4}, Weighted{2.0, 0.1}};
 constexpr std::array kScatter{Weighted{1e-6, 1.0}, Weighted{1e-5, 1.0}, Weighted{1e-4, 1.0}, Weighted{1e-3, 1.0},
                               Weighted{0.01, 1.0}, Weighted{0.03, 0.6}, Weighted{0.1, 0.2},  Weighted{0.3, 0.03}};
 constexpr std::array kOutlier{0.2, 0.8};
 constexpr double kOutlierShare = 0.1;  // probability that there is one
 constexpr std::size_t kLeastForOutlier = 4;
 
-constexpr double kNegligible = 11.0;  // of a logarithm of probabilities
+constexpr double kNegligible = 9.0;  // of a logarithm of probabilities
 
 // Nodes of a normal distribution and what lies around each of them.
 constexpr std::array kNormal{Weighted{-2.2, 0.040}, Weighted{-1.3, 0.125}, Weighted{-0.65, 0.207}, Weighted{0.0, 0.256},
@@ -162,25 +162,27 @@ class Scan {
   std::vector<Part> parts_;
 };
 
-double quantile(const std::vector<Weighted>& sorted, double total, double share) {
-  double sum = 0.0;
-  for (const auto& [value, weight] : sorted)
-    if ((sum += weight) >= share * total) return value;
-  return sorted.back().value;
+// The value below which `share` of the weight lies; sorts only what it must.
+double quantile(std::vector<Weighted>& all, double share) {
+  auto first = all.begin(), last = all.end();
+  double below = 0.0;
+  for (const auto& each : all) below += share * each.weight;
+  while (last - first > 1) {
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last, [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    double left = 0.0;
+    for (auto each = first; each != middle; ++each) left += each->weight;
+    if (below <= left) {
+      last = middle;
+    } else {
+      below -= left;
+      first = middle;
+    }
+  }
+  return first->value;
 }
 
-// Sorts; the total weight.
-double order_by_value(std::vector<Weighted>& all) {
-  std::sort(all.begin(), all.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
-  double total = 0.0;
-  for (const auto& each : all) total += each.weight;
-  return total;
-}
-
-Interval interval_of(std::vector<Weighted>& all) {
-  const double total = order_by_value(all);
-  return {quantile(all, total, 0.025), quantile(all, total, 0.975)};
-}
+Interval interval_of(std::vector<Weighted>& all) { return {quantile(all, 0.025), quantile(all, 0.975)}; }
 
 // Each point of the scan stands for what lies around it.
 Interval order_of(const std::vector<Part>& parts, double largest, double step) {
@@ -219,7 +221,7 @@ Posterior posterior_of(const Sequence& sequence) {
   const Interval limit = interval_of(limits);
   out.limit = {origin + unit * limit.low, origin + unit * limit.high};
   for (auto& each : limits) each.value = std::fabs(each.value);
-  out.finest_error = unit * quantile(limits, order_by_value(limits), 0.95);
+  out.finest_error = unit * quantile(limits, 0.95);
   return out;
 }
 

@@ -1,6 +1,6 @@
 // What a sequence of results tells of its limit and order: Richardson's extrapolation with probabilities, after
-// Oates, Karvonen, Teckentrup, Strocchi and Niederer, "Probabilistic Richardson extrapolation", J. R. Stat. Soc. B 87
-// (2025) 457. The sequence is taken for one draw of
+// Oates, Karvonen, Teckentrup, Strocchi and Niederer, Probabilistic Richardson extrapolation, arXiv:2401.07562 (2024).
+// The sequence is taken for one draw of
 //
 //     Q_i = Q0 + C (x_i^p (1 + a x_i + b x_i^2) + t z_i),   x_i = h_i / h_max,
 //

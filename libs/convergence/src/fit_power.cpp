@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -85,7 +84,6 @@ PowerFit fit_power(std::span<const double> x, std::span<const double> cost) {
   const Logs logs = logs_of(x, cost);
   const std::size_t sizes = std::set(logs.x.begin(), logs.x.end()).size();
   PowerFit out;
-  out.factor = out.order = out.order_pm = std::numeric_limits<double>::quiet_NaN();
   if (sizes < kLeastSizes) {
     out.remark = "an exponent needs three meshes that cost something";
     return out;

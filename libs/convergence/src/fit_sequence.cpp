@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,8 +11,8 @@ namespace {
 // Results of equal solutions differ by what their linear systems leave, over the largest result.
 constexpr double kRounding = 1e-11;
 constexpr double kSteepest = 12.0;  // of observed orders
-constexpr std::size_t kRecent = 3;  // steps that tell the class: coarse meshes may behave as they like
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFlat = 1e-6;      // an observed order of 0
+constexpr std::size_t kRecent = 3;  // differences that tell the class: coarse meshes may behave as they like
 
 void check(std::span<const double> h, std::span<const double> value, double reference_h) {
   if (h.size() != value.size() || h.size() < 2) throw std::invalid_argument("a fit needs at least two results");
@@ -61,14 +60,16 @@ Sequence sequence_of(std::span<const double> h, std::span<const double> value, c
   Sequence out;
   out.has_limit = !options.limit;
   out.reference = options.reference_h;
-  double largest = std::fabs(options.limit.value_or(0.0));
-  for (const std::size_t k : order) {
-    out.h.push_back(h[k]);
-    out.value.push_back(value[k] - options.limit.value_or(0.0));
-    largest = std::fmax(largest, std::fabs(value[k]));
-  }
+  const double limit = options.limit.value_or(0.0);
+  double largest = std::fabs(limit);
+  for (const double v : value) largest = std::fmax(largest, std::fabs(v));
   // distances that are known as such have no larger number behind them
   out.rounding = options.limit == 0.0 ? 0.0 : kRounding * largest;
+  for (const std::size_t k : order) {
+    if (options.limit && std::fabs(value[k] - limit) <= out.rounding) continue;
+    out.h.push_back(h[k]);
+    out.value.push_back(value[k] - limit);
+  }
   return out;
 }
 
@@ -90,13 +91,13 @@ double ratio_of_steps(const Sequence& s, std::size_t k, double p) {
 
 SeriesClass class_of(const Sequence& s) {
   const auto all = steps_of(s);
-  if (all.size() < 2) return SeriesClass::TooFew;
-  const std::span steps = std::span(all).last(std::min(kRecent, all.size()));
+  if (all.size() < 2) return s.has_limit ? SeriesClass::TooFew : SeriesClass::Exact;
+  const std::span steps = std::span(all).last(s.has_limit ? std::min(kRecent, all.size()) : all.size());
   if (steps[steps.size() - 1] == 0.0 && steps[steps.size() - 2] == 0.0) return SeriesClass::Exact;
   bool rises = false, falls = false;
   for (const double step : steps) rises |= step > 0.0, falls |= step < 0.0;
   if (rises && falls) return SeriesClass::Oscillating;
-  return observed_orders(s).back() <= 0.0 ? SeriesClass::Diverging : SeriesClass::Monotone;
+  return observed_orders(s).back() <= kFlat ? SeriesClass::Diverging : SeriesClass::Monotone;
 }
 
 std::vector<double> observed_orders(const Sequence& s) {
@@ -104,7 +105,7 @@ std::vector<double> observed_orders(const Sequence& s) {
   std::vector<double> out;
   for (std::size_t k = 0; k + 1 < steps.size(); ++k) {
     const bool tells = steps[k] * steps[k + 1] > 0.0;
-    out.push_back(tells ? order_with_ratio(s, k, steps[k + 1] / steps[k]) : kUnknown);
+    out.push_back(tells ? order_with_ratio(s, k, steps[k + 1] / steps[k]) : kNotKnown);
   }
   return out;
 }

@@ -8,7 +8,8 @@
 
 namespace cleft::convergence {
 
-/// Coarsest first; with a known limit `value` are distances from it, and `reference` is the size at which they vanish.
+/// Coarsest first. With a known limit `value` are distances from it, without those that are 0, and `reference` is the
+/// size at which they vanish.
 struct Sequence {
   std::vector<double> h, value;
   bool has_limit = true;  ///< the sequence tends to what is not known
@@ -22,7 +23,7 @@ struct Sequence {
 /// Sorts by h. Throws std::invalid_argument as fit_limit does.
 Sequence sequence_of(std::span<const double> h, std::span<const double> value, const FitOptions& options);
 
-/// The values, or differences of successive ones without a known limit, that halve as often as the order tells.
+/// What gets smaller as the order tells: differences of successive values, with a known limit the values.
 std::vector<double> steps_of(const Sequence& s);
 
 /// What the step after number k (of steps_of) is over step k in a sequence of pure order p.

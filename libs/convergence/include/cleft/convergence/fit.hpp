@@ -3,6 +3,7 @@
 /// by which costs grow.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@ struct FitOptions {
   double reference_h = 0.0;
 };
 
+inline constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
 /// How a sequence behaves on its finest four meshes, by the differences of successive ones (with a known limit: by the
 /// errors). Those below the rounding of the results count as 0.
 enum class SeriesClass {
@@ -30,28 +33,28 @@ enum class SeriesClass {
 const char* name_of(SeriesClass kind);  ///< "too few meshes", "exact to rounding", "monotone", ...
 
 /// The answer to a sequence of results. Half widths (`_pm`) are of 95 % intervals that count pre-asymptotic terms,
-/// scatter and one outlier. NaN stands where nothing can be said.
+/// scatter and one outlier; kNotKnown stands where nothing can be said.
 struct LimitFit {
   SeriesClass kind = SeriesClass::TooFew;
   /// Observed order of each three successive meshes, coarsest first: of C h^p through their results (with a known limit
   /// of each two meshes). NaN where the differences change sign or vanish; 0 or less where they grow.
   std::vector<double> observed_order;
   /// The last difference over what the order makes of the one before: near 1 in the asymptotic range.
-  double asymptotic_ratio = 0.0;
+  double asymptotic_ratio = kNotKnown;
   std::size_t window = 0;  ///< how many of the finest meshes the answer is of
 
-  double limit = 0.0;  ///< Q0; to be shown only where it is given or `determined`
-  double limit_pm = 0.0;
-  double factor = 0.0;  ///< C
-  double order = 0.0;   ///< p
-  double order_pm = 0.0;
-  double scatter = 0.0;  ///< root mean square of what C h^p leaves in the window, in the unit of Q
+  double limit = kNotKnown;  ///< Q0; to be shown only where it is given or `determined`
+  double limit_pm = kNotKnown;
+  double factor = kNotKnown;  ///< C
+  double order = kNotKnown;   ///< p
+  double order_pm = kNotKnown;
+  double scatter = kNotKnown;  ///< root mean square of what C h^p leaves in the window, in the unit of Q
 
   /// Uncertainty of the finest result, in the unit of Q: the exact value lies within finest_pm of it in 95 of 100
   /// cases. It is a grid convergence index (ASME V&V 20): `safety` times the error, of which the largest is taken that
   /// the data allow with 95 %. NaN with a known limit, of which the error is known.
-  double finest_pm = 0.0;
-  double safety = 0.0;  ///< 1.25, and 3 of three meshes
+  double finest_pm = kNotKnown;
+  double safety = kNotKnown;  ///< 1.25 where determined, 2 where not, 3 of three meshes
 
   bool determined = false;  ///< whether the data determine p and (if it is not given) the limit; four meshes at least
   std::string remark;       ///< why not
@@ -71,9 +74,9 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
 
 /// The model C x^p. The half width is the larger of 95 % by Student's t and of what any one cost does to p.
 struct PowerFit {
-  double factor = 0.0;  ///< C
-  double order = 0.0;   ///< p, of any sign
-  double order_pm = 0.0;
+  double factor = kNotKnown;  ///< C
+  double order = kNotKnown;   ///< p, of any sign
+  double order_pm = kNotKnown;
   bool determined = false;  ///< by four sizes or more, where p is known to 0.25
   std::string remark;       ///< why not
 };
