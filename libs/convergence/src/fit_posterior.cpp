@@ -59,6 +59,7 @@ struct Sums {
   }
 };
 
+// Sums over p, A, t, the outlier and C; lengths and results in units of their largest.
 class Scan {
  public:
   // `y` are the results in the unit of the sums.

@@ -220,13 +220,14 @@ TEST(FitLimit, TakesManyMeshesInAnyOrder) {
 
 TEST(FitLimit, RefusesWhatIsNoSequence) {
   const std::vector<double> one{1.0}, two{1.0, 0.5}, same{0.5, 0.5}, negative{1.0, -0.5}, nan{1.0, std::nan("")},
-      endless{INFINITY, 1.0};
+      endless{INFINITY, 1.0}, huge{1.7e308, -1.7e308};
   EXPECT_THROW(fit_limit(one, one), std::invalid_argument);
   EXPECT_THROW(fit_limit(two, one), std::invalid_argument);
   EXPECT_THROW(fit_limit(same, two), std::invalid_argument);
   EXPECT_THROW(fit_limit(negative, two), std::invalid_argument);
   EXPECT_THROW(fit_limit(endless, two), std::invalid_argument);
   EXPECT_THROW(fit_limit(two, nan), std::invalid_argument);
+  EXPECT_THROW(fit_limit(two, huge), std::invalid_argument);
 }
 
 TEST(FitPower, RecoversExactLaws) {

@@ -1,6 +1,6 @@
 // How often the intervals of a fit hold: sequences Q0 + C x^p (1 + a x + b x^2), x = h / h_max, with random a and b,
 // random scatter and one random outlier. A few draws of some cells by default; with CLEFT_COVERAGE_DRAWS=N in the
-// environment N draws of all cells, and the table of the documentation's page coverage.md.
+// environment N draws of all cells, and the table of the documentation's page fits.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -65,7 +65,7 @@ struct LimitFit {
 /// do not contradict. Scatter is of one size on all meshes; with a known limit it is relative to the error.
 ///
 /// `h` and `value` have equal lengths, any order. Throws std::invalid_argument on fewer than two results, on h that are
-/// not positive or not distinct, or on values that are not finite.
+/// not positive or not distinct, or on values that are not finite or whose differences are not.
 ///
 /// Sources: Oates, Karvonen, Teckentrup, Strocchi and Niederer, J. R. Stat. Soc. B 87 (2025) 457 (probabilistic
 /// Richardson extrapolation); Eca and Hoekstra, J. Comput. Phys. 262 (2014) 104; ASME V&V 20-2009. How often the
