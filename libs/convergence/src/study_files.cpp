@@ -72,7 +72,7 @@ plot::Figure figure_of(const scene::Study& study, const StudyResult& result, boo
   for (const auto& s : result.series) {
     plot::Curve c;
     c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
-    if (any && !s.has_errors) c.title += ", difference from the finest mesh";
+    if (any && !s.has_errors) c.title += ", from finest";
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
       c.y.push_back(s.has_errors ? s.error[k] / s.scale : s.from_finest[k]);
