@@ -17,6 +17,7 @@
 #include "cleft/support/files.hpp"
 #include "cleft/support/process.hpp"
 #include "parallel.hpp"
+#include "study_checks.hpp"
 #include "study_files.hpp"
 #include "study_values.hpp"
 
@@ -148,7 +149,6 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   options.limit = is_value ? q.exact : std::optional(0.0);
   if (h.size() < 2) {
     out.fit.remark = "too few meshes";
-    out.fit.limit = out.fit.order = kUndetermined;
   } else {
     out.fit = fit_limit(h, value, options);
   }
@@ -174,20 +174,6 @@ std::vector<Cost> costs_of(std::span<const StudyRun> runs) {
   for (const auto& [phase, seconds] : runs[0].phases)
     add(phase + "_seconds", [&name = phase](const StudyRun& run) { return run.phases.at(name); });
   return out;
-}
-
-void check_series(const Quantity& q, const Series& s, std::vector<std::string>& missed) {
-  const std::string name = q.name + (s.variant.empty() ? "" : ", " + s.variant);
-  const auto check = [&](const char* what, double value, const auto& within) {
-    if (within && !(value >= (*within)[0] && value <= (*within)[1]))
-      missed.push_back(
-          fmt::format("{}: {} {:.4g} is not within [{}, {}]", name, what, value, (*within)[0], (*within)[1]));
-  };
-  if (s.has_errors) {
-    check("order", s.fit.order, q.order_within);
-    check("limit", s.fit.limit, q.limit_within);
-  } else if (q.order_within || q.limit_within)
-    missed.push_back(fmt::format("{}: no limit is determined: {}", name, s.fit.remark));
 }
 
 }  // namespace
@@ -237,7 +223,7 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
   for (std::size_t k = 0; k < study.quantities.size(); ++k)
     for (std::size_t v = 0; v < study.variants.size(); ++v) {
       result.series.push_back(series_of(study, k, result.runs, result.runs[v * meshes].variant));
-      check_series(study.quantities[k], result.series.back(), result.missed);
+      check_series(study.quantities[k], result.series.back(), result);
     }
   write_study(study, result, options.directory);
   return result;

@@ -38,11 +38,19 @@ std::string runs_csv(const scene::Study& study, const StudyResult& result) {
 }
 
 std::string fits_csv(const scene::Study& study, const StudyResult& result) {
-  std::string out = "quantity,variant,limit,limit_pm,order,order_pm,factor,scatter,determined,remark\n";
-  for (const auto& s : result.series)
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", cell(study.quantities[s.quantity].name),
-                   cell(s.variant), s.fit.limit, s.fit.limit_pm, s.fit.order, s.fit.order_pm, s.fit.factor,
-                   s.fit.scatter, s.fit.determined ? "yes" : "no", cell(s.fit.remark));
+  std::string out =
+      "quantity,variant,limit,limit_pm,order,order_pm,factor,scatter,determined,remark,class,observed_orders,"
+      "asymptotic_ratio,window,finest,finest_pm,safety\n";
+  for (const auto& s : result.series) {
+    const LimitFit& fit = s.fit;
+    const double limit = s.has_errors || fit.kind == SeriesClass::Exact ? fit.limit : kNotKnown;
+    const double finest = s.runs.empty() ? kNotKnown : result.runs[s.runs.back()].value[s.quantity];
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{:.3f},{},{},{},{},{}\n",
+                   cell(study.quantities[s.quantity].name), cell(s.variant), limit, fit.limit_pm, fit.order,
+                   fit.order_pm, fit.factor, fit.scatter, fit.determined ? "yes" : "no", cell(fit.remark),
+                   name_of(fit.kind), fmt::join(fit.observed_order, " "), fit.asymptotic_ratio, fit.window, finest,
+                   fit.finest_pm, fit.safety);
+  }
   return out;
 }
 
@@ -64,7 +72,7 @@ plot::Figure figure_of(const scene::Study& study, const StudyResult& result, boo
   for (const auto& s : result.series) {
     plot::Curve c;
     c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
-    if (any && !s.has_errors) c.title += ", difference from the finest mesh";
+    if (any && !s.has_errors) c.title += ", from finest";
     for (std::size_t k = 0; k < s.runs.size(); ++k) {
       c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
       c.y.push_back(s.has_errors ? s.error[k] / s.scale : s.from_finest[k]);

@@ -52,15 +52,16 @@ struct Series {
 struct Cost {
   std::string variant;
   std::string what;  ///< seconds, megabytes, iterations, or seconds of a phase (factorise_seconds)
-  LimitFit fit;
+  PowerFit fit;
 };
 
 struct StudyResult {
   std::vector<StudyRun> runs;  ///< variant by variant, coarsest mesh first
   std::vector<Series> series;  ///< empty if a run failed, as costs
   std::vector<Cost> costs;
-  std::vector<std::string> failed;  ///< runs that did not reach their end, and where their output is
-  std::vector<std::string> missed;  ///< orders and limits that are not where the study says that they must be
+  std::vector<std::string> failed;     ///< runs that did not reach their end, and where their output is
+  std::vector<std::string> missed;     ///< orders and limits that are not where the study says that they must be
+  std::vector<std::string> undecided;  ///< orders and limits asked for of which the data do not tell, and why
 };
 
 /// Validates everything, runs what has not been run before, fits, and writes study.csv, fits.csv, costs.csv and the
