@@ -31,13 +31,14 @@ std::string exponent(const convergence::LimitFit& fit) {
 // One line a variant; the phases are in costs.csv.
 void print_costs(const convergence::StudyResult& result) {
   const std::string* variant = nullptr;
-  for (const auto& [of, what, fit] : result.costs) {
+  for (const auto& [of, what, fit, over, last_slope] : result.costs) {
     if (what != "seconds" && what != "megabytes") continue;
     const bool goes_on = variant != nullptr && *variant == of;
     if (!goes_on) fmt::print("\ncost{}{}:", of.empty() ? "" : ", ", of);
     variant = &of;
-    fmt::print("{} {} ~ unknowns^{}", goes_on ? "," : "", what,
-               fit.determined ? exponent(fit) : "? (" + fit.remark + ")");
+    fmt::print("{} {} ~ {}^{}{}", goes_on ? "," : "", what, over == "unknowns" ? over : "(" + over + ")",
+               fit.determined ? exponent(fit) : "? (" + fit.remark + ")",
+               std::isnan(last_slope) ? "" : fmt::format(", last two {:.2f}", last_slope));
   }
   fmt::print("\n");
 }
@@ -82,12 +83,13 @@ int converge(Options options) {
   options.run.program = std::filesystem::read_symlink("/proc/self/exe").string();
   options.run.tell = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   const auto result = convergence::run_study(study, options.run);
-  for (const auto& line : result.failed) fmt::print(stderr, "failed: {}\n", line);
-  if (!result.failed.empty()) return kFailed;
   if (!study.title.empty()) fmt::print("{}\n", study.title);
   print(study, result);
-  fmt::print("\nresults in {}: study.csv, fits.csv, costs.csv, convergence.svg, cost.svg\n", options.run.directory);
+  fmt::print("\nresults in {}: runs.csv, study.csv, fits.csv, costs.csv, convergence.svg, cost.svg\n",
+             options.run.directory);
   for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
+  for (const auto& line : result.failed) fmt::print(stderr, "failed: {}: {}\n", options.study, line);
+  if (!result.failed.empty()) return kFailed;
   return result.missed.empty() ? kDone : kCheckFailed;
 }
 
@@ -103,6 +105,9 @@ void add_converge(CLI::App& app, int& result) {
   verb->add_option("--jobs", options->run.jobs, "runs at a time; 1 where seconds matter")
       ->capture_default_str()
       ->check(CLI::Range(1, 256));
+  verb->add_option("--repeat", options->run.repeats, "timings of each run, of which the median counts")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 99));
   verb->callback([options, &result] { result = converge(*options); });
 }
 

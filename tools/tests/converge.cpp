@@ -23,7 +23,7 @@ struct Fresh {
     file = directory + ".toml";
     std::ofstream(file) << text;
   }
-  StudyOptions options() const { return {directory, CLEFT_PROGRAM, 2, {}}; }
+  StudyOptions options() const { return {.directory = directory, .program = CLEFT_PROGRAM, .jobs = 2, .repeats = 1, .tell = {}}; }
   StudyResult run() const { return convergence::run_study(scene::read_study(file), options()); }
 };
 
