@@ -24,7 +24,7 @@ std::string with_uncertainty(double value, double pm) {
   return pm > 0.0 ? fmt::format("{:.6g} +- {:.2g}", value, pm) : fmt::format("{:.6g}", value);
 }
 
-std::string exponent(const convergence::LimitFit& fit) {
+std::string exponent(const convergence::PowerFit& fit) {
   return fmt::format("{:.2f}", fit.order) + (fit.order_pm > 0.0 ? fmt::format(" +- {:.2f}", fit.order_pm) : "");
 }
 
@@ -55,17 +55,38 @@ void print_runs(const convergence::Series& s, const convergence::StudyResult& re
   }
 }
 
+// How the results behave, before any fit.
+void print_sequence(const convergence::LimitFit& fit) {
+  fmt::print("  {}", name_of(fit.kind));
+  if (!fit.observed_order.empty()) {
+    fmt::print(", observed orders");
+    for (const double order : fit.observed_order) fmt::print(" {}", number(order, 3));
+  }
+  if (!std::isnan(fit.asymptotic_ratio)) fmt::print(", asymptotic ratio {:.2f}", fit.asymptotic_ratio);
+  fmt::print("\n");
+}
+
+void print_finest(double value, const convergence::LimitFit& fit) {
+  if (std::isnan(fit.finest_pm)) return;
+  fmt::print("  finest result {:.6g} +- {:.2g}", value, fit.finest_pm);
+  fmt::print("{}\n",
+             std::isnan(fit.safety) ? "" : fmt::format(" (95 %, grid convergence index, factor {})", fit.safety));
+}
+
 void print_fit(const scene::Quantity& q, const convergence::Series& s) {
+  const auto& fit = s.fit;
   if (!s.has_errors) {
-    fmt::print("  limit NOT DETERMINED: {}\n", s.fit.remark);
+    fmt::print("  limit NOT DETERMINED: {}\n", fit.remark);
     fmt::print("  no error is known; 'from finest' is the relative difference from the finest mesh\n");
     return;
   }
   const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
-  if (fitted) fmt::print("  limit {},", with_uncertainty(s.fit.limit, s.fit.limit_pm));
-  fmt::print("  order {}{}\n", with_uncertainty(s.fit.order, s.fit.order_pm),
-             s.fit.determined ? "" : "  NOT DETERMINED");
-  if (!s.fit.remark.empty()) fmt::print("  {}\n", s.fit.remark);
+  if (fitted) fmt::print("  limit {},", with_uncertainty(fit.limit, fit.limit_pm));
+  fmt::print("  order {}", with_uncertainty(fit.order, fit.order_pm));
+  if (fit.determined)
+    fmt::print(", by the finest {} of {} meshes\n", fit.window, s.runs.size());
+  else
+    fmt::print("  NOT DETERMINED: {}\n", fit.remark);
 }
 
 void print(const scene::Study& study, const convergence::StudyResult& result) {
@@ -73,6 +94,8 @@ void print(const scene::Study& study, const convergence::StudyResult& result) {
     const auto& q = study.quantities[s.quantity];
     fmt::print("\n{}{}\n", q.name, s.variant.empty() ? "" : ", " + s.variant);
     print_runs(s, result);
+    print_sequence(s.fit);
+    if (!s.runs.empty()) print_finest(result.runs[s.runs.back()].value[s.quantity], s.fit);
     print_fit(q, s);
   }
   print_costs(result);
@@ -88,9 +111,11 @@ int converge(Options options) {
   fmt::print("\nresults in {}: runs.csv, study.csv, fits.csv, costs.csv, convergence.svg, cost.svg\n",
              options.run.directory);
   for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
+  for (const auto& line : result.undecided) fmt::print("cannot tell: {}\n", line);
   for (const auto& line : result.failed) fmt::print(stderr, "failed: {}: {}\n", options.study, line);
   if (!result.failed.empty()) return kFailed;
-  return result.missed.empty() ? kDone : kCheckFailed;
+  if (!result.missed.empty()) return kCheckFailed;
+  return result.undecided.empty() ? kDone : kCannotTell;
 }
 
 }  // namespace

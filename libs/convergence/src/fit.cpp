@@ -1,292 +1,156 @@
 #include "cleft/convergence/fit.hpp"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <set>
-#include <stdexcept>
 #include <vector>
+
+#include "fit_posterior.hpp"
+#include "fit_refine.hpp"
+#include "fit_sequence.hpp"
 
 namespace cleft::convergence {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array kStarts{0.5, 1.0, 2.0, 3.5};  // of p
+constexpr std::size_t kLeastMeshes = 4;  // that may determine an order
+constexpr double kOrderKnownTo = 0.5;    // of the order
+constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
+constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
+constexpr double kContradiction = 1.5;  // of a smaller window's half width
 
-constexpr int kRounds = 5;  // of scatter and robust fit, each by the other
-
-// 97.5 % quantiles of Student's t for 1, 2, ... degrees of freedom.
-double student(std::size_t freedom) {
-  constexpr std::array kTable{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-  if (freedom <= kTable.size()) return kTable[freedom - 1];
-  return 1.960 + 2.4 / static_cast<double>(freedom);  // within 1 % from here on
+double farthest(const Interval& interval, double value) {
+  return std::fmax(std::fabs(interval.low - value), std::fabs(interval.high - value));
 }
 
-// y = Q0 + C x^p with x = h / h_max
-struct WithLimit {
-  double x, y;
-  template <class T>
-  bool operator()(const T* limit, const T* factor, const T* order, T* residual) const {
-    using std::pow;
-    residual[0] = limit[0] + factor[0] * pow(T(x), order[0]) - y;
-    return true;
-  }
+struct Windowed {
+  Posterior posterior;
+  Draw answer;
+
+  double order_pm() const { return farthest(posterior.order, answer.order); }
+  double limit_pm() const { return farthest(posterior.limit, answer.limit); }
 };
 
-// log |y| = log C + p log x, for a limit that is known, or log C + log (x^p - finest^p)
-struct Straight {
-  double x, y, finest;
-  template <class T>
-  T power(const T& order) const {
-    using std::log, std::pow;
-    return finest > 0.0 ? T(log(pow(T(x), order) - pow(T(finest), order))) : T(order * log(x));
-  }
-  template <class T>
-  bool operator()(const T* factor, const T* order, T* residual) const {
-    residual[0] = factor[0] + power(order[0]) - y;
-    return true;
-  }
-};
-
-// What is fitted: {Q0, C, p} or {log C, p}. One parameter block a number.
-struct Solution {
-  std::array<double, 3> parameter{};
-  std::vector<double> residual;
-  double cost = std::numeric_limits<double>::infinity();
-  std::array<double, 3> variance{kNaN, kNaN, kNaN};  // per unit variance of the residuals; NaN if singular
-};
-
-// Scatter by the median of the residuals, which an outlier hardly moves. As many as there are parameters may vanish by
-// the fit alone and do not count.
-double scatter_of(const std::vector<double>& residual, std::size_t parameters) {
-  std::vector<double> size;
-  for (const double r : residual) size.push_back(std::fabs(r));
-  std::sort(size.begin(), size.end());
-  return 1.4826 * size[(parameters + size.size()) / 2];
+bool contradicts(const Windowed& smaller, const Windowed& larger) {
+  return std::fabs(larger.answer.order - smaller.answer.order) > kContradiction * smaller.order_pm() ||
+         std::fabs(larger.answer.limit - smaller.answer.limit) > kContradiction * smaller.limit_pm();
 }
 
-struct Fit {
-  std::vector<double> x, y;
-  bool free_limit = true;
-  double finest = 0.0;  // reference_h / h_max
-  FitOptions options;
-
-  std::size_t parameters() const { return free_limit ? 3 : 2; }
-  std::size_t order_at() const { return parameters() - 1; }
-
-  Solution solve(const Solution& start, double huber) const {
-    Solution out = start;
-    auto& p = out.parameter;
-    ceres::Problem problem;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      ceres::LossFunction* loss = huber > 0.0 ? new ceres::HuberLoss(huber) : nullptr;
-      if (free_limit)
-        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<WithLimit, 1, 1, 1, 1>(new WithLimit{x[k], y[k]}),
-                                 loss, &p[0], &p[1], &p[2]);
-      else
-        problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Straight, 1, 1, 1>(new Straight{x[k], y[k], finest}),
-                                 loss, &p[0], &p[1]);
-    }
-    problem.SetParameterLowerBound(&p[order_at()], 0, options.least_order);
-    problem.SetParameterUpperBound(&p[order_at()], 0, options.most_order);
-    ceres::Solver::Options controls;
-    controls.linear_solver_type = ceres::DENSE_QR;
-    controls.logging_type = ceres::SILENT;
-    controls.max_num_iterations = 500;
-    controls.function_tolerance = controls.gradient_tolerance = controls.parameter_tolerance = 1e-14;
-    ceres::Solver::Summary summary;
-    ceres::Solve(controls, &problem, &summary);
-    ceres::Problem::EvaluateOptions plain;
-    plain.apply_loss_function = false;
-    double half_squares = 0.0;
-    problem.Evaluate(plain, &half_squares, &out.residual, nullptr, nullptr);
-    out.cost = summary.final_cost;
-
-    ceres::Covariance::Options how;
-    how.algorithm_type = ceres::DENSE_SVD;
-    how.apply_loss_function = true;
-    ceres::Covariance covariance(how);
-    std::vector<std::pair<const double*, const double*>> blocks;
-    for (std::size_t k = 0; k < parameters(); ++k) blocks.emplace_back(&p[k], &p[k]);
-    const bool regular = covariance.Compute(blocks, &problem);
-    for (std::size_t k = 0; regular && k < parameters(); ++k)
-      covariance.GetCovarianceBlock(&p[k], &p[k], &out.variance[k]);
-    return out;
+// Answers of the finest meshes: four (or what there is), five, and so on.
+std::vector<Windowed> windows_of(const Sequence& s) {
+  std::vector<Windowed> out;
+  for (std::size_t meshes = std::min(kLeastMeshes, s.size()); meshes <= s.size(); ++meshes) {
+    const Sequence finest = s.finest(meshes);
+    const Posterior posterior = posterior_of(finest);
+    out.push_back({posterior, most_probable(finest, posterior)});
   }
-
-  // Limit and factor follow from p by linear least squares: a start on the valley's floor.
-  Solution start(double order) const {
-    Solution s;
-    s.parameter[order_at()] = order;
-    const auto n = static_cast<double>(x.size());
-    double sum_g = 0, sum_y = 0, sum_gg = 0, sum_gy = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const double g = free_limit ? std::pow(x[k], order) : 0.0;
-      const double target = free_limit ? y[k] : y[k] - Straight{x[k], y[k], finest}.power(order);
-      sum_g += g, sum_y += target, sum_gg += g * g, sum_gy += g * target;
-    }
-    if (!free_limit) {
-      s.parameter[0] = sum_y / n;
-      return s;
-    }
-    const double determinant = n * sum_gg - sum_g * sum_g;
-    s.parameter[1] = (n * sum_gy - sum_g * sum_y) / determinant;
-    s.parameter[0] = (sum_y - s.parameter[1] * sum_g) / n;
-    return s;
-  }
-
-  Solution best() const {
-    Solution best;
-    for (const double order : kStarts) {
-      const double inside = std::clamp(order, options.least_order, options.most_order);
-      if (Solution s = solve(start(inside), 0.0); s.cost < best.cost) best = s;
-    }
-    if (x.size() < parameters() + 2) return best;
-    // the first scatter still contains what an outlier does to the plain fit
-    for (int round = 0; round < kRounds; ++round) {
-      const double scatter = scatter_of(best.residual, parameters());
-      if (scatter <= 1e-13) break;
-      best = solve(best, 1.5 * scatter);
-    }
-    return best;
-  }
-};
-
-void check(std::span<const double> h, std::span<const double> value, double reference_h) {
-  if (h.size() != value.size() || h.size() < 2) throw std::invalid_argument("a fit needs at least two results");
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    if (!(h[k] > 0.0) || !std::isfinite(h[k])) throw std::invalid_argument("element sizes must be positive");
-    if (!std::isfinite(value[k])) throw std::invalid_argument("results must be finite");
-    if (h[k] <= reference_h) throw std::invalid_argument("the reference must be finer");
-    for (std::size_t l = 0; l < k; ++l)
-      if (h[k] == h[l]) throw std::invalid_argument("element sizes must be distinct");
-  }
+  return out;
 }
 
-// Half width of the confidence interval of a parameter of unit variance; NaN where nothing is left to tell.
-double spread_of(const Fit& fit, const Solution& s) {
+// The largest window that none of the smaller ones contradicts (Lepski's rule): as many meshes as there are before the
+// coarse ones do not fit to the fine ones.
+std::size_t choose(const std::vector<Windowed>& windows) {
+  for (std::size_t k = windows.size(); k-- > 1;)
+    if (std::none_of(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(k),
+                     [&](const Windowed& smaller) { return contradicts(smaller, windows[k]); }))
+      return k;
+  return 0;
+}
+
+// Root mean square of what C h^p leaves.
+double scatter_of(const Sequence& s, const LimitFit& fit) {
+  const double limit = s.has_limit ? fit.limit : 0.0;
+  const double at_reference = s.reference > 0.0 ? std::pow(s.reference, fit.order) : 0.0;
   double squares = 0.0;
-  for (const double r : s.residual) squares += r * r;
-  const std::size_t n = fit.x.size(), m = fit.parameters();
-  return n <= m ? kNaN : std::sqrt(squares / static_cast<double>(n - m)) * student(n - m);
+  for (std::size_t k = 0; k < s.size(); ++k)
+    squares += std::pow(s.value[k] - limit - fit.factor * (std::pow(s.h[k], fit.order) - at_reference), 2);
+  return std::sqrt(squares / static_cast<double>(s.size()));
 }
 
-// Fills in uncertainty and verdict; `unit` are the sizes of one unit of each parameter.
-void judge(const Fit& fit, const Solution& s, double limit_unit, LimitFit& out) {
-  const double p = s.parameter[fit.order_at()];
-  const bool exact = fit.x.size() <= fit.parameters();
-  const double spread = spread_of(fit, s);
-  out.order_pm = spread * std::sqrt(s.variance[fit.order_at()]);
-  out.limit_pm = fit.free_limit ? spread * std::sqrt(s.variance[0]) * limit_unit : 0.0;
-  const double margin = 1e-6 * (fit.options.most_order - fit.options.least_order);
-  if (p <= fit.options.least_order + margin || p >= fit.options.most_order - margin)
-    out.remark = fmt::format("the order runs into its bound {:.3g}", p);
-  else if (std::isnan(s.variance[fit.order_at()]))
-    out.remark = "the data say nothing of the order";
-  else if (out.order_pm > p)
-    out.remark = fmt::format("the order is uncertain by {:.2g}", out.order_pm);
+// Why the data do not determine the answer; empty where they do.
+std::string doubt(const Sequence& s, const LimitFit& fit, const Interval& order) {
+  const std::size_t meshes = s.size() + (s.reference > 0.0 ? 1 : 0);
+  if (meshes < kLeastMeshes) return fmt::format("{} meshes do not determine an order: {} do", meshes, kLeastMeshes);
+  if (fit.window < kLeastMeshes + 1 && fit.window < s.size())
+    return fmt::format("the coarse meshes contradict the finest {}, which are too few alone", fit.window);
+  if (!s.has_limit && fit.kind == SeriesClass::Oscillating) return "the results cross the limit";
+  if (fit.kind == SeriesClass::Diverging) return "the differences do not get smaller on the finest meshes";
+  if (order.low <= kLeastOrder * 1.01)
+    return fmt::format("the order may be below {:.2g}, so that the limit may be anywhere", kLeastOrder);
+  if (order.high >= kMostOrder * 0.99) return fmt::format("the order may be above {:.2g}", kMostOrder);
+  if (fit.order_pm > kOrderKnownTo * fit.order) return fmt::format("the order is uncertain by {:.2g}", fit.order_pm);
+  if (s.has_limit && fit.limit_pm > kLimitKnownTo * std::fabs(fit.limit - s.value.back()))
+    return "the limit is not known better than by the finest result";
+  return "";
+}
+
+// The largest error is that of the next larger window, too: a mesh that is left out by mistake does no harm.
+void fit_windows(const Sequence& s, LimitFit& out) {
+  const auto windows = windows_of(s);
+  const std::size_t chosen = choose(windows);
+  const auto& [posterior, answer] = windows[chosen];
+  out.window = s.size() - (windows.size() - 1 - chosen);
+  out.order = answer.order;
+  out.order_pm = windows[chosen].order_pm();
+  if (s.has_limit) {
+    out.limit = answer.limit;
+    out.limit_pm = windows[chosen].limit_pm();
+  }
+  const auto steps = steps_of(s);
+  const std::size_t last = steps.size() - 2;
+  if (steps[last] != 0.0) out.asymptotic_ratio = steps[last + 1] / steps[last] / ratio_of_steps(s, last, out.order);
+  out.factor = answer.factor * std::pow(s.h[s.size() - out.window], -answer.order);
+  out.scatter = scatter_of(s.finest(out.window), out);
+  out.remark = doubt(s, out, posterior.order);
   out.determined = out.remark.empty();
-  if (out.determined && exact) out.remark = "as many parameters as meshes: no uncertainty";
+  if (!s.has_limit) return;
+  const auto& larger = windows[std::min(chosen + 1, windows.size() - 1)];
+  out.safety = s.size() < kLeastMeshes ? kSafetyOfThree : out.determined ? kSafety : kSafetyUndetermined;
+  out.finest_pm = out.safety * std::fmax(posterior.finest_error, larger.posterior.finest_error);
+}
+
+// Equal results have a limit and no order.
+void take_exact(const Sequence& s, LimitFit& out) {
+  out.window = std::min<std::size_t>(3, s.size());
+  out.remark = s.has_limit ? "the results are equal but for rounding: they have no order" : "the results are exact";
+  if (!s.has_limit) return;
+  const auto fine = s.finest(out.window).value;
+  const auto [low, high] = std::minmax_element(fine.begin(), fine.end());
+  out.limit = s.value.back();
+  out.limit_pm = out.finest_pm = std::fmax(*high - *low, s.rounding);
+  out.scatter = *high - *low;
 }
 
 }  // namespace
 
-LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options) {
-  check(h, value, options.reference_h);
-  LimitFit out;
-  out.limit_pm = out.order_pm = kNaN;
-  const double h_max = *std::max_element(h.begin(), h.end());
-  Fit fit;
-  fit.options = options;
-  fit.free_limit = !options.limit.has_value();
-  double origin = 0.0, unit = 1.0;  // of the values
-  if (fit.free_limit) {
-    const auto [low, high] = std::minmax_element(value.begin(), value.end());
-    origin = value[static_cast<std::size_t>(std::min_element(h.begin(), h.end()) - h.begin())];
-    unit = *high - *low;
-    out.limit = origin;
-    if (unit == 0.0) out.remark = "all results are equal";
-    if (h.size() < 3) out.remark = "a limit and an order need three meshes", out.limit = kNaN;
-    if (!out.remark.empty()) {
-      out.order = kNaN;
-      return out;
-    }
-  } else {
-    out.limit = *options.limit;
-    fit.finest = options.reference_h / h_max;
+const char* name_of(SeriesClass kind) {
+  switch (kind) {
+    case SeriesClass::Exact:
+      return "exact to rounding";
+    case SeriesClass::Monotone:
+      return "monotone";
+    case SeriesClass::Oscillating:
+      return "oscillating";
+    case SeriesClass::Diverging:
+      return "diverging";
+    case SeriesClass::TooFew:
+      break;
   }
-  bool above = false, below = false;
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    const double distance = value[k] - out.limit;
-    above |= distance > 0.0, below |= distance < 0.0;
-    if (!fit.free_limit && distance == 0.0) continue;
-    fit.x.push_back(h[k] / h_max);
-    fit.y.push_back(fit.free_limit ? (value[k] - origin) / unit : std::log(std::fabs(distance)));
-  }
-  if (fit.x.size() < 2) {
-    out.order = kNaN;
-    out.remark = "the results are exact";
-    return out;
-  }
-  const Solution s = fit.best();
-  out.order = s.parameter[fit.order_at()];
-  const double power = std::pow(h_max, -out.order);
-  if (fit.free_limit) {
-    out.limit = origin + unit * s.parameter[0];
-    out.factor = unit * s.parameter[1] * power;
-  } else {
-    out.factor = (below ? -1.0 : 1.0) * std::exp(s.parameter[0]) * power;
-  }
-  judge(fit, s, unit, out);
-  if (!fit.free_limit && above && below) {
-    out.determined = false;
-    out.remark = "the results cross the limit";
-  }
-  double squares = 0.0;
-  for (std::size_t k = 0; k < h.size(); ++k) {
-    const double power_of_finest = fit.finest > 0.0 ? std::pow(options.reference_h, out.order) : 0.0;
-    const double left = value[k] - out.limit - out.factor * (std::pow(h[k], out.order) - power_of_finest);
-    squares += left * left;
-  }
-  out.scatter = std::sqrt(squares / static_cast<double>(h.size()));
-  return out;
+  return "too few meshes";
 }
 
-LimitFit fit_power(std::span<const double> x, std::span<const double> cost) {
-  if (x.size() != cost.size()) throw std::invalid_argument("a cost each size");
+LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options) {
+  Sequence s = sequence_of(h, value, options).finest(kMostMeshes);
   LimitFit out;
-  out.factor = out.order = out.order_pm = kNaN;
-  Fit fit;
-  fit.free_limit = false;
-  fit.options.least_order = -fit.options.most_order;
-  const double largest = x.empty() ? 1.0 : *std::max_element(x.begin(), x.end());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (!(x[k] > 0.0) || !std::isfinite(x[k])) throw std::invalid_argument("sizes must be positive");
-    if (!(cost[k] >= 0.0) || !std::isfinite(cost[k])) throw std::invalid_argument("costs must be finite, 0 or more");
-    if (cost[k] == 0.0) continue;
-    fit.x.push_back(x[k] / largest);
-    fit.y.push_back(std::log(cost[k]));
-  }
-  if (std::set(fit.x.begin(), fit.x.end()).size() < 3) {
-    out.remark = "an exponent needs three meshes that cost something";
-    return out;
-  }
-  const Solution s = fit.best();
-  out.order = s.parameter[1];
-  out.factor = std::exp(s.parameter[0]) * std::pow(largest, -out.order);
-  out.order_pm = spread_of(fit, s) * std::sqrt(s.variance[1]);
-  out.determined = out.order_pm <= 1.0;
-  if (!out.determined) out.remark = "these meshes do not determine the exponent";
-  double squares = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double left = cost[k] - out.factor * std::pow(x[k], out.order);
-    if (cost[k] > 0.0) squares += left * left;
-  }
-  out.scatter = std::sqrt(squares / static_cast<double>(fit.x.size()));
+  out.kind = class_of(s);
+  out.observed_order = observed_orders(s);
+  if (out.kind == SeriesClass::TooFew)
+    out.remark = fmt::format("{} meshes show nothing of an order", s.size());
+  else if (out.kind == SeriesClass::Exact)
+    take_exact(s, out);
+  else
+    fit_windows(s, out);
+  if (options.limit) out.limit = *options.limit, out.limit_pm = 0.0;
   return out;
 }
 

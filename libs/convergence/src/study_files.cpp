@@ -71,11 +71,19 @@ std::string study_csv(const scene::Study& study, const StudyResult& result) {
 }
 
 std::string fits_csv(const scene::Study& study, const StudyResult& result) {
-  std::string out = "quantity,variant,limit,limit_pm,order,order_pm,factor,scatter,determined,remark\n";
-  for (const auto& s : result.series)
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", cell(study.quantities[s.quantity].name),
-                   cell(s.variant), s.fit.limit, s.fit.limit_pm, s.fit.order, s.fit.order_pm, s.fit.factor,
-                   s.fit.scatter, s.fit.determined ? "yes" : "no", cell(s.fit.remark));
+  std::string out =
+      "quantity,variant,limit,limit_pm,order,order_pm,factor,scatter,determined,remark,class,observed_orders,"
+      "asymptotic_ratio,window,finest,finest_pm,safety\n";
+  for (const auto& s : result.series) {
+    const LimitFit& fit = s.fit;
+    const double limit = s.has_errors || fit.kind == SeriesClass::Exact ? fit.limit : kNotKnown;
+    const double finest = s.runs.empty() ? kNotKnown : result.runs[s.runs.back()].value[s.quantity];
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{:.3f},{},{},{},{},{}\n",
+                   cell(study.quantities[s.quantity].name), cell(s.variant), limit, fit.limit_pm, fit.order,
+                   fit.order_pm, fit.factor, fit.scatter, fit.determined ? "yes" : "no", cell(fit.remark),
+                   name_of(fit.kind), fmt::join(fit.observed_order, " "), fit.asymptotic_ratio, fit.window, finest,
+                   fit.finest_pm, fit.safety);
+  }
   return out;
 }
 
@@ -85,6 +93,16 @@ std::string costs_csv(const StudyResult& result) {
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{}\n", c.what, cell(c.variant), c.fit.order,
                    c.fit.order_pm, c.fit.factor, c.fit.determined ? "yes" : "no", cell(c.fit.remark), c.last_slope,
                    c.over);
+  return out;
+}
+
+std::string work_csv(const scene::Study& study, const StudyResult& result) {
+  std::string out = "quantity,variant,relative_error,seconds,how\n";
+  for (const auto& w : result.work) {
+    const Series& s = result.series[w.series];
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{}\n", cell(study.quantities[s.quantity].name),
+                   cell(s.variant), w.error, w.seconds, name_of(w.how));
+  }
   return out;
 }
 
@@ -115,6 +133,7 @@ void write_study(const scene::Study& study, const StudyResult& result, const std
   write_atomically(directory + "/study.csv", study_csv(study, result));
   write_atomically(directory + "/fits.csv", fits_csv(study, result));
   write_atomically(directory + "/costs.csv", costs_csv(result));
+  write_atomically(directory + "/work.csv", work_csv(study, result));
   plot::draw(
       {drawing_of(figure_of(study, result, false), "convergence"), drawing_of(figure_of(study, result, true), "cost")},
       directory, "cleft converge");

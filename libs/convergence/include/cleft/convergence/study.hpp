@@ -58,17 +58,34 @@ struct Series {
 struct Cost {
   std::string variant;
   std::string what;  ///< seconds, megabytes, iterations, or seconds of a phase (factorise_seconds)
-  LimitFit fit;
+  PowerFit fit;
   std::string over;         ///< what n is: unknowns, or 1/h where all meshes have as many
   double last_slope = 0.0;  ///< the power between the two finest meshes alone; NaN without
 };
+
+/// What a relative error costs.
+struct Work {
+  enum class How {
+    Measured,      ///< between two runs, by a power of the error
+    AtMost,        ///< the coarsest run is better already: the seconds of that
+    Extrapolated,  ///< on a mesh up to four times finer than the finest, by the order and the last slope of the seconds
+    OutOfReach     ///< cannot be told: NaN
+  };
+  std::size_t series = 0;
+  double error = 0.0;    ///< relative
+  double seconds = 0.0;  ///< of a run
+  How how = How::Measured;
+};
+const char* name_of(Work::How how);  ///< "measured", "at most", ...
 
 struct StudyResult {
   std::vector<StudyRun> runs;       ///< variant by variant, coarsest mesh first
   std::vector<Series> series;       ///< of what there is: a run that failed has the values of the loads that it reached
   std::vector<Cost> costs;          ///< of the runs that reached their end
+  std::vector<Work> work;           ///< seconds for 1 % and 0.1 % of error, of the series that have errors
   std::vector<std::string> failed;  ///< runs that did not, why, and where their output is
   std::vector<std::string> missed;  ///< orders and limits that are not where the study says that they must be
+  std::vector<std::string> undecided;  ///< orders and limits asked for of which the data do not tell, and why
 };
 
 /// Validates everything, runs what has not been run before, each up to the last load that is asked for, fits, and
