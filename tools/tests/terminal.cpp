@@ -1,4 +1,5 @@
 // What the program prints: the summary of a run, what it warns of and says to look at next, and what a check tells.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -94,15 +95,36 @@ TEST(Resume, TellsWhichKeysDiffer) {
       << o.text;
 }
 
-TEST(Converge, SaysWhyThereIsNoUncertainty) {
+TEST(Converge, SaysWhatIsUncertainAboutTheFinestResultAndWhyNothingElseIsKnown) {
   const std::string out = fresh("no_uncertainty"), study = out + ".toml";
   std::ofstream(study) << "scene = \"" << kScenes << "block.toml\"\nset = [\"loading.steps=4\"]\n"
                        << "cells = [[4, 8], [6, 12], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.5\n";
   const Outcome o = call("converge " + study + " -o " + out);
   EXPECT_EQ(o.code, 0) << o.text;
   const auto fits = read_csv(out + "/fits.csv");
-  ASSERT_FALSE(fits.rows.at(0).back().empty());
-  EXPECT_TRUE(has(o, fits.rows[0].back())) << o.text;
+  const auto remark = std::ranges::find(fits.header, "remark") - fits.header.begin();
+  EXPECT_TRUE(has(o, fits.rows.at(0).at(static_cast<std::size_t>(remark)))) << o.text;
+  EXPECT_TRUE(has(o, "limit NOT DETERMINED: 3 meshes do not determine an order")) << o.text;
+  EXPECT_TRUE(has(o, "(95 %, grid convergence index, factor 3)")) << o.text;
+  EXPECT_TRUE(has(o, "observed orders ")) << o.text;
+}
+
+// 0 holds, 1 does not, 4 cannot tell.
+TEST(Converge, ExitsByWhatIsKnown) {
+  const std::string out = fresh("exit_codes"), study = out + ".toml";
+  const auto code = [&](const std::string& cells, const std::string& within) {
+    std::ofstream(study) << "scene = \"" << kScenes << "manufactured.toml\"\ncells = " << cells
+                         << "\n[[quantity]]\nerror = \"l2\"\norder_within = " << within << "\n";
+    return call("converge " + study + " -o " + out);
+  };
+  const std::string four = "[[4, 4], [8, 8], [16, 16], [32, 32]]";
+  EXPECT_EQ(code(four, "[1.5, 2.5]").code, 0);
+  const Outcome missed = code(four, "[0.5, 1.0]");
+  EXPECT_EQ(missed.code, 1);
+  EXPECT_TRUE(has(missed, "does not hold: l2 error: order ")) << missed.text;
+  const Outcome three = code("[[4, 4], [8, 8], [16, 16]]", "[1.5, 2.5]");
+  EXPECT_EQ(three.code, 4);
+  EXPECT_TRUE(has(three, "cannot tell: l2 error: order is not determined: 3 meshes")) << three.text;
 }
 
 TEST(Converge, ComparesWithTheFinestMeshWhereNoLimitIsDetermined) {

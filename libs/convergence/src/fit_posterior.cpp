@@ -19,7 +19,7 @@ struct Weighted {
   double value, weight;
 };
 
-// Priors. log p is uniform but for the factor 1/p: low orders are the dangerous ones. Deviations of the terms that
+// Priors. log p has the density 1/p: low orders are the dangerous ones. Deviations of the terms that
 // follow h^p, of the scatter and of an outlier are over C.
 constexpr int kOrders = 24;           // points of a scan over p
 constexpr double kFinestStep = 1e-4;  // of log p
@@ -59,6 +59,7 @@ struct Sums {
   }
 };
 
+// Sums over p, A, t, the outlier and C; lengths and results in units of their largest.
 class Scan {
  public:
   // `y` are the results in the unit of the sums.

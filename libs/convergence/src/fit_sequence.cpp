@@ -23,6 +23,8 @@ void check(std::span<const double> h, std::span<const double> value, double refe
     for (std::size_t l = 0; l < k; ++l)
       if (h[k] == h[l]) throw std::invalid_argument("element sizes must be distinct");
   }
+  const auto [low, high] = std::minmax_element(value.begin(), value.end());
+  if (!std::isfinite(*high - *low)) throw std::invalid_argument("results must have finite differences");
 }
 
 // (from^p - to^p) / p, which is a logarithm at p = 0; `to` may be 0.

@@ -67,8 +67,8 @@ const Table<Quantity>& quantity_table() {
        Row::choice("norm", &Quantity::largest, norms, "of the profile's distance"),
        Row::custom("reference", "text", "CSV file to compare with", read_reference).otherwise("the finest mesh"),
        interval("range", &Quantity::range, "part of the abscissa that counts"),
-       interval("order_within", &Quantity::order_within, "the study fails where the order is outside"),
-       interval("limit_within", &Quantity::limit_within, "the study fails where the limit is outside")},
+       interval("order_within", &Quantity::order_within, "asks that the interval of the order lies within"),
+       interval("limit_within", &Quantity::limit_within, "asks that the interval of the limit lies within")},
       {},
       finish_quantity};
   return table;

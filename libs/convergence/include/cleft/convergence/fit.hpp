@@ -54,7 +54,7 @@ struct LimitFit {
   /// cases. It is a grid convergence index (ASME V&V 20): `safety` times the error, of which the largest is taken that
   /// the data allow with 95 %. NaN with a known limit, of which the error is known.
   double finest_pm = kNotKnown;
-  double safety = kNotKnown;  ///< 1.25 where determined, 2 where not, 3 of three meshes
+  double safety = kNotKnown;  ///< 1.25 where determined, 1.75 where not, 3 of three meshes
 
   bool determined = false;  ///< whether the data determine p and (if it is not given) the limit; four meshes at least
   std::string remark;       ///< why not
@@ -65,7 +65,7 @@ struct LimitFit {
 /// do not contradict. Scatter is of one size on all meshes; with a known limit it is relative to the error.
 ///
 /// `h` and `value` have equal lengths, any order. Throws std::invalid_argument on fewer than two results, on h that are
-/// not positive or not distinct, or on values that are not finite.
+/// not positive or not distinct, or on values that are not finite or whose differences are not.
 ///
 /// Sources: Oates, Karvonen, Teckentrup, Strocchi and Niederer, J. R. Stat. Soc. B 87 (2025) 457 (probabilistic
 /// Richardson extrapolation); Eca and Hoekstra, J. Comput. Phys. 262 (2014) 104; ASME V&V 20-2009. How often the
