@@ -6,8 +6,8 @@
 #include <iterator>
 #include <set>
 
-#include "cleft/plot/figure.hpp"
 #include "cleft/support/files.hpp"
+#include "study_figures.hpp"
 
 namespace cleft::convergence {
 namespace {
@@ -106,26 +106,6 @@ std::string work_csv(const scene::Study& study, const StudyResult& result) {
   return out;
 }
 
-plot::Figure figure_of(const scene::Study& study, const StudyResult& result, bool cost) {
-  plot::Figure f;
-  f.title = study.title;
-  f.x_label = cost ? "seconds" : "h, m";
-  const bool any = std::ranges::any_of(result.series, &Series::has_errors);
-  f.y_label = any ? "relative error" : "relative difference from the finest mesh";
-  f.scale = plot::Scale::LogLog;
-  for (const auto& s : result.series) {
-    plot::Curve c;
-    c.title = study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
-    if (any && !s.has_errors) c.title += ", difference from the finest mesh";
-    for (std::size_t k = 0; k < s.runs.size(); ++k) {
-      c.x.push_back(cost ? result.runs[s.runs[k]].seconds : result.runs[s.runs[k]].h);
-      c.y.push_back(s.has_errors ? s.error[k] / s.scale : s.from_finest[k]);
-    }
-    f.curves.push_back(c);
-  }
-  return f;
-}
-
 }  // namespace
 
 void write_study(const scene::Study& study, const StudyResult& result, const std::string& directory) {
@@ -134,9 +114,7 @@ void write_study(const scene::Study& study, const StudyResult& result, const std
   write_atomically(directory + "/fits.csv", fits_csv(study, result));
   write_atomically(directory + "/costs.csv", costs_csv(result));
   write_atomically(directory + "/work.csv", work_csv(study, result));
-  plot::draw(
-      {drawing_of(figure_of(study, result, false), "convergence"), drawing_of(figure_of(study, result, true), "cost")},
-      directory, "cleft converge");
+  if (study.sequence.size() > 1) draw_study(study, result, directory);
 }
 
 }  // namespace cleft::convergence

@@ -128,6 +128,8 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
   if (f.scale == Scale::LogY) s += "set logscale y\nset format y '%.0e'\n";
   if (!f.shade_label.empty()) s += palette_commands() + "set cblabel " + in_quotes(f.shade_label) + "\n";
   if (f.scale == Scale::Linear) s += base_line(f);
+  for (const Note& note : f.notes)
+    s += fmt::format("set label {} at first {}, first {} left offset 0.4, 0\n", in_quotes(note.text), note.x, note.y);
   std::string plot;
   for (std::size_t k = 0; k < f.curves.size(); ++k) {
     s += fmt::format("$curve{} << EOD\n", k);
