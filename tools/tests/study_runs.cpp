@@ -88,7 +88,7 @@ TEST(StudyRuns, AFailedRunIsToldAndTheOthersAreFitted) {
   EXPECT_NE(told.text.find("observed orders"), std::string::npos) << told.text;
 }
 
-// The crack's tip meets the end of what two iterations can solve after the first of the two loads.
+// The top is pressed below the bottom after the first of the two loads.
 TEST(StudyRuns, AFailedRunHasTheLoadsThatItReached) {
   const Fresh s("reached", "scene = \"" + kVerification +
                                "scenes/block.toml\"\ncells = [[4, 8], [8, 16]]\n"

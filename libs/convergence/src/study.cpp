@@ -37,7 +37,7 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   FitOptions options;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].variant != variant) continue;
-    if (runs[i].is_reference[quantity]) options.reference_h = runs[i].h;
+    if (runs[i].is_reference[quantity]) options.reference_h = out.reference_h = runs[i].h;
     if (!std::isfinite(runs[i].value[quantity])) continue;
     out.runs.push_back(i);
     h.push_back(runs[i].h);

@@ -130,7 +130,7 @@ std::vector<Cost> costs_of(std::span<const StudyRun> runs) { return CostFits(run
 std::vector<Work> work_of(const StudyResult& result, std::size_t series) {
   const Series& s = result.series[series];
   std::vector<Work> out;
-  if (!s.has_errors) return out;
+  if (!s.has_errors || s.reference_h > 0.0) return out;
   const auto points = points_of(result, s);
   if (points.empty()) return out;
   for (const double error : {0.01, 0.001}) {

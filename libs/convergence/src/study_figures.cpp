@@ -37,22 +37,14 @@ plot::Curve marks_of(const scene::Study& study, const StudyResult& result, const
   return c;
 }
 
-// The size of the mesh that the results are distances from; 0: they are not.
-double reference_size(const StudyResult& result, const Series& s) {
-  for (const auto& run : result.runs)
-    if (run.variant == s.variant && run.is_reference[s.quantity]) return run.h;
-  return 0.0;
-}
-
 // The fitted power over the meshes that it is fitted to.
 plot::Curve line_of(const StudyResult& result, const Series& s) {
   plot::Curve c;
   c.points = false;
-  const double coarse = result.runs[s.runs[s.runs.size() - s.fit.window]].h, fine = result.runs[s.runs.back()].h,
-               reference = reference_size(result, s);
+  const double coarse = result.runs[s.runs[s.runs.size() - s.fit.window]].h, fine = result.runs[s.runs.back()].h;
   for (std::size_t k = 0; k <= kSteps; ++k) {
     const double h = fine * std::pow(coarse / fine, static_cast<double>(k) / kSteps);
-    const double power = std::pow(h, s.fit.order) - (reference > 0.0 ? std::pow(reference, s.fit.order) : 0.0);
+    const double power = std::pow(h, s.fit.order) - (s.reference_h > 0.0 ? std::pow(s.reference_h, s.fit.order) : 0.0);
     c.x.push_back(h);
     c.y.push_back(std::fabs(s.fit.factor) * power / s.scale);
   }

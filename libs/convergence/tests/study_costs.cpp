@@ -43,6 +43,9 @@ TEST(StudyCosts, NothingIsToldOfErrorsThatAreNotKnown) {
   StudyResult result = halved(0.04, 6);
   result.series[0].fit.determined = false;
   EXPECT_EQ(work_of(result, 0)[1].how, Work::How::OutOfReach) << "an order that is not determined leads nowhere";
+  result.series[0].reference_h = 0.01;
+  EXPECT_TRUE(work_of(result, 0).empty()) << "a distance from the finest mesh is no error";
+  result.series[0].reference_h = 0.0;
   result.series[0].has_errors = false;
   EXPECT_TRUE(work_of(result, 0).empty());
 }
