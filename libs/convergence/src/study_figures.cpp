@@ -80,7 +80,7 @@ void add_triangles(const std::vector<double>& slopes, plot::Figure& f) {
     c.x = {from, to, to, from};
     c.y = {low, low, top, low};
     f.curves.push_back(c);
-    f.notes.push_back({to, std::sqrt(low * top), fmt::format("{}", slope)});
+    f.notes.push_back({to, top, fmt::format("{}", slope)});
   }
 }
 
