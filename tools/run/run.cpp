@@ -107,6 +107,9 @@ void add_run(CLI::App& app, int& result) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb->add_flag("--resume", options->run.resume, "go on from the last converged increment in the folder");
+  verb->add_option("--until", options->run.last_load, "ends with the first increment that reaches this load")
+      ->type_name("LOAD")
+      ->check(CLI::Range(0.0, 1.0));
   verb->add_option("--threads", options->run.threads, "threads of the factorisation")->check(CLI::Range(1, 256));
   verb->callback([options, &result] { result = solve(*options); });
 }

@@ -5,31 +5,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cleft/convergence/study.hpp"
 #include "cleft/support/files.hpp"
+#include "fresh_study.hpp"
 
 namespace cleft::tools {
 namespace {
-
-using convergence::StudyOptions, convergence::StudyResult;
-
-const std::string kVerification = std::string(CLEFT_SOURCE_DIR) + "/verification/";
-
-struct Fresh {
-  std::string directory, file;
-  explicit Fresh(const std::string& name, const std::string& text) {
-    directory = testing::TempDir() + "cleft_converge_" + name;
-    std::filesystem::remove_all(directory);
-    file = directory + ".toml";
-    std::ofstream(file) << text;
-  }
-  StudyOptions options() const { return {directory, CLEFT_PROGRAM, 2, {}}; }
-  StudyResult run() const { return convergence::run_study(scene::read_study(file), options()); }
-};
-
-std::string block(const std::string& rest) {
-  return "scene = \"" + kVerification + "scenes/block.toml\"\nset = [\"loading.steps=20\"]\n" + rest;
-}
 
 TEST(Study, FollowsColumnsAndProfilesOverMeshesAndSides) {
   const Fresh s("block", block("cells = [[4, 8], [8, 16], [16, 32]]\n"
@@ -142,24 +122,6 @@ TEST(Study, TellsNoErrorAgainstALimitThatIsNotDetermined) {
   EXPECT_TRUE(std::isnan(read_csv(s.directory + "/fits.csv").column("limit")[0]));
 }
 
-TEST(Study, RunsOnlyWhatChanged) {
-  const std::string text = block("cells = [[4, 8], [8, 16]]\n[[quantity]]\ncolumn = \"fy_top\"\nload = 0.2\n");
-  const Fresh first("kept", text);
-  for (const auto& run : first.run().runs) EXPECT_FALSE(run.reused);
-  const StudyResult again = first.run();
-  for (const auto& run : again.runs) EXPECT_TRUE(run.reused);
-  std::ofstream(first.file) << block(
-      "cells = [[4, 8], [8, 16], [10, 20]]\n[[quantity]]\ncolumn = \"fx_top\"\nload = 0.2\n");
-  const StudyResult more = first.run();
-  EXPECT_TRUE(more.runs[0].reused && more.runs[1].reused);
-  EXPECT_FALSE(more.runs[2].reused);
-  std::filesystem::remove(more.runs[1].folder + "/run.json");  // as a run that was killed leaves it
-  const StudyResult resumed = first.run();
-  EXPECT_FALSE(resumed.runs[1].reused);
-  EXPECT_EQ(resumed.runs[1].value, more.runs[1].value);
-}
-
-// An order holds, is missed, or is not known well enough: by its interval, not by its value.
 TEST(Study, MeasuresErrorsAndIsACheckWhereOrdersAreAskedFor) {
   const std::string scene = "scene = \"" + kVerification + "scenes/manufactured.toml\"\n";
   const std::string four = scene + "cells = [[4, 4], [8, 8], [16, 16], [32, 32]]\n";
@@ -191,17 +153,6 @@ TEST(Study, TheMemoryOfARunIsItsOwn) {
     EXPECT_GT(run.megabytes, 5.0);
     EXPECT_LT(run.megabytes, 300.0) << "of " << large.size() / 1000000 << " MB here";
   }
-}
-
-TEST(Study, AFailedRunIsNamedAndTheOthersAreKept) {
-  const Fresh s("failed", block("cells = [[4, 8], [8, 16]]\n"
-                                "sweep = { key = \"solver.max_iterations\", values = [1, 12] }\n"
-                                "[[quantity]]\ncolumn = \"fy_top\"\n"));
-  const StudyResult r = s.run();
-  ASSERT_EQ(r.failed.size(), 2u);
-  EXPECT_NE(r.failed[0].find("exit code 3"), std::string::npos) << r.failed[0];
-  EXPECT_TRUE(r.series.empty());
-  EXPECT_TRUE(std::filesystem::exists(r.runs[2].folder + "/run.json"));
 }
 
 TEST(Study, RefusesWhatTheSceneDoesNotHaveBeforeAnythingRuns) {

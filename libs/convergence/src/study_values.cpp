@@ -63,13 +63,59 @@ Curve curve_of(const std::string& path, const Quantity& q) {
   return {table.column(q.along), table.column(q.column)};
 }
 
+Curve profile_of(const StudyRun& run, const Quantity& q) {
+  Curve out = curve_of(run.folder + "/crack_" + q.crack + ".csv", q);
+  if (out.place.empty()) throw std::runtime_error(fmt::format("{}: no profile at load {}", run.folder, q.load));
+  return out;
+}
+
 double profile_value(const StudyRun& run, const Quantity& q, const Curve& reference) {
-  const Curve own = curve_of(run.folder + "/crack_" + q.crack + ".csv", q);
+  const Curve own = profile_of(run, q);
   const auto range = q.range ? q.range : common_range(own, reference);
   if (!range)
     throw std::runtime_error(fmt::format("{}: '{}' has no part of the abscissa in common", run.folder, q.name));
   const auto d = distance(own, reference, *range);
   return q.largest ? d.largest_relative : d.l2_relative;
+}
+
+// Does what reads files of a run. If it cannot be done that is the run's failure, unless it has one already.
+template <class Read>
+void guarded(StudyRun& run, const Read& read) {
+  try {
+    read();
+  } catch (const std::exception& error) {
+    if (run.failure.empty()) run.failure = error.what();
+  }
+}
+
+void read_counts(StudyRun& run) {
+  const auto json = run_json(run);
+  run.increments = json.at("increments");
+  run.iterations = json.at("iterations");
+  run.cuts = json.at("cuts");
+  run.megabytes = json.at("peak_megabytes");
+}
+
+double value_of(const StudyRun& run, const Quantity& q) {
+  if (q.kind == Quantity::Kind::History) return history_value(run, q);
+  return run_json(run).at("error").at(q.column + "_relative");
+}
+
+// The finest profile that there is, of the runs of one variant; of none if there is none.
+Curve finest_profile(std::size_t quantity, const Quantity& q, std::span<StudyRun> runs) {
+  Curve out;
+  for (std::size_t i = runs.size(); i-- > 0 && out.place.empty();) {
+    guarded(runs[i], [&] { out = profile_of(runs[i], q); });
+    runs[i].is_reference[quantity] = !out.place.empty();
+  }
+  return out;
+}
+
+void read_profiles(std::size_t quantity, const Quantity& q, std::span<StudyRun> runs) {
+  const Curve reference = q.reference.empty() ? finest_profile(quantity, q, runs) : curve_of(q.reference, q);
+  if (reference.place.empty()) return;
+  for (auto& run : runs)
+    if (!run.is_reference[quantity]) guarded(run, [&] { run.value[quantity] = profile_value(run, q, reference); });
 }
 
 std::string list(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ", ")); }
@@ -116,33 +162,18 @@ void check_quantities(const scene::Study& study, const problem::Specification& s
   }
 }
 
-void read_counts(StudyRun& run) {
-  const auto json = run_json(run);
-  run.phases = json.at("seconds");
-  run.seconds = run.phases.at("total");
-  run.phases.erase("total");
-  run.megabytes = json.at("peak_megabytes");
-  run.increments = json.at("increments");
-  run.iterations = json.at("iterations");
-  run.cuts = json.at("cuts");
-}
-
 void read_values(const scene::Study& study, std::span<StudyRun> runs) {
-  for (const auto& q : study.quantities) {
-    Curve reference;
+  for (auto& run : runs) {
+    run.value.assign(study.quantities.size(), kNoValue);
+    run.is_reference.assign(study.quantities.size(), false);
+    guarded(run, [&] { read_counts(run); });
+  }
+  for (std::size_t k = 0; k < study.quantities.size(); ++k) {
+    const Quantity& q = study.quantities[k];
     if (q.kind == Quantity::Kind::Profile)
-      reference = curve_of(q.reference.empty() ? runs.back().folder + "/crack_" + q.crack + ".csv" : q.reference, q);
-    for (auto& run : runs) {
-      const bool is_reference = q.kind == Quantity::Kind::Profile && q.reference.empty() && &run == &runs.back();
-      if (is_reference)
-        run.value.push_back(kNoValue);
-      else if (q.kind == Quantity::Kind::History)
-        run.value.push_back(history_value(run, q));
-      else if (q.kind == Quantity::Kind::Profile)
-        run.value.push_back(profile_value(run, q, reference));
-      else
-        run.value.push_back(run_json(run).at("error").at(q.column + "_relative"));
-    }
+      read_profiles(k, q, runs);
+    else
+      for (auto& run : runs) guarded(run, [&] { run.value[k] = value_of(run, q); });
   }
 }
 

@@ -11,10 +11,9 @@ namespace cleft::convergence {
 /// Throws InputError where a quantity asks for what the scene does not have.
 void check_quantities(const scene::Study& study, const problem::Specification& scene);
 
-/// Reads seconds (of the phases, too), counts and memory out of run.json.
-void read_counts(StudyRun& run);
-
-/// Fills in the value of every quantity of the runs of one variant, coarsest mesh first.
+/// Reads counts and memory of a run that has not failed, and fills in its quantities' values. What cannot be read is
+/// the run's failure. Of a run that has failed, what it has left counts as far as it goes. `runs` are those of one
+/// variant, coarsest first; their finest profiles are what the others are compared with.
 void read_values(const scene::Study& study, std::span<StudyRun> runs);
 
 }  // namespace cleft::convergence

@@ -70,16 +70,17 @@ std::string base_line(const Figure& f) {
 // Room for the legend below the plot: a row takes as many titles as fit, and gnuplot leaves out what does not fit at
 // all.
 void reserve_couplings(const Figure& f, Drawing& d) {
-  constexpr int kPlot = 400, kRow = 17, kLetter = 8, kSample = 50;
+  constexpr int kPlot = 400, kLargePlot = 560, kMany = 8, kRow = 17, kLetter = 8, kSample = 50;
   std::size_t longest = 0, titles = 0;
   for (const auto& c : f.curves) {
     longest = std::max(longest, c.title.size());
     titles += c.title.empty() ? 0 : 1;
   }
   const int title = kLetter * static_cast<int>(longest) + kSample;
-  d.width = std::max(d.width, title + kSample);
+  const bool many = titles > kMany;  // which want two columns at least
+  d.width = std::max(d.width, (many ? 2 : 1) * title + kSample);
   const auto columns = static_cast<std::size_t>(d.width / title);
-  d.height = kPlot + kRow * static_cast<int>((titles + columns - 1) / columns);
+  d.height = (many ? kLargePlot : kPlot) + kRow * static_cast<int>((titles + columns - 1) / columns);
 }
 
 std::string head_of(const Drawing& d, const std::string& directory, const std::string& origin) {
@@ -128,6 +129,8 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
   if (f.scale == Scale::LogY) s += "set logscale y\nset format y '%.0e'\n";
   if (!f.shade_label.empty()) s += palette_commands() + "set cblabel " + in_quotes(f.shade_label) + "\n";
   if (f.scale == Scale::Linear) s += base_line(f);
+  for (const Note& note : f.notes)
+    s += fmt::format("set label {} at first {}, first {} left offset 0.4, 0\n", in_quotes(note.text), note.x, note.y);
   std::string plot;
   for (std::size_t k = 0; k < f.curves.size(); ++k) {
     s += fmt::format("$curve{} << EOD\n", k);

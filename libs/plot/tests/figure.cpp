@@ -53,6 +53,14 @@ TEST(Figure, AValueThatCannotBeDrawnPartsTheLine) {
   EXPECT_NE(drawing_of(logarithmic, "f").script.find("$curve1 << EOD\n1 5\nEOD"), std::string::npos);
 }
 
+TEST(Figure, NotesStandWhereTheyAreSaid) {
+  Figure f = example();
+  f.notes = {{0.5, 2.0, "it's 1"}};
+  const std::string folder = fresh("notes");
+  ASSERT_EQ(draw({drawing_of(f, "f")}, folder, "a test"), std::nullopt);
+  EXPECT_NE(read_bytes(folder + "/f.svg").find("it's 1"), std::string::npos);
+}
+
 TEST(Figure, WithoutDataIsDrawnAllTheSame) {
   const std::string folder = fresh("nothing");
   EXPECT_EQ(draw({drawing_of({}, "f")}, folder, "a test"), std::nullopt);

@@ -184,9 +184,11 @@ std::string Section::text(std::string_view key) const {
   return *node(key).value<std::string>();
 }
 
-std::string Section::file_beside(std::string_view key) const {
-  return (std::filesystem::path(document_->file).parent_path() / text(key)).lexically_normal().string();
+std::string Section::beside(const std::string& file) const {
+  return (std::filesystem::path(document_->file).parent_path() / file).lexically_normal().string();
 }
+
+std::string Section::file_beside(std::string_view key) const { return beside(text(key)); }
 
 std::vector<std::string> Section::texts(std::string_view key) const {
   std::vector<std::string> out;

@@ -69,6 +69,7 @@ class Section {
   std::string text(std::string_view key) const;
   bool is_text(std::string_view key) const { return node(key).is_string(); }
   /// The path of a file that stands relative to the document.
+  std::string beside(const std::string& file) const;
   std::string file_beside(std::string_view key) const;
   std::vector<std::string> texts(std::string_view key) const;
   /// The place of a text in a list.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cleft/support/nearest.hpp"
+#include "study_axes.hpp"
 #include "tables.hpp"
 
 namespace cleft::scene {

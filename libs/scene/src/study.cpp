@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
+#include "study_axes.hpp"
 #include "tables.hpp"
 
 namespace cleft::scene {
 namespace {
 
 using Interval = std::optional<std::array<double, 2>>;
-
-std::string toml_text(const toml::node& node) {
-  std::ostringstream out;
-  node.visit([&](const auto& value) { out << value; });
-  return out.str();
-}
 
 Row<Quantity> interval(const char* name, Interval Quantity::*member, const std::string& help) {
   return Row<Quantity>::custom(name, "2 numbers", help, [=](const Section& s, Quantity& q) {
@@ -81,51 +74,14 @@ const Table<Quantity>& quantity_table() {
   return table;
 }
 
-void read_values(const Section& s, Study& study) {
-  study.variants.clear();
-  for (const auto& value : *s.array("values")) {
-    const Location at = s.at("values", study.variants.size());
-    study.variants.push_back(toml_text(value));
-    study.overrides_at[study.sweep_key + "=" + study.variants.back()] = at;
-  }
-  if (study.variants.empty()) s.fail("values", "empty; allowed: at least one value");
-}
-
-const Table<Study>& sweep_table() {
-  using Row = Row<Study>;
-  static const Table<Study> table{{
-      Row::value("key", &Study::sweep_key, "dotted key of the scene").needed(),
-      Row::custom("values", "array", "its values", read_values).needed(),
-  }};
-  return table;
-}
-
-void read_scene_file(const Section& s, Study& study) {
+void read_scene_file(const Section& s, StudyFile& study) {
   study.scene = s.file_beside("scene");
   study.scene_at = s.at("scene");
 }
 
-void read_set(const Section& s, Study& study) {
+void read_set(const Section& s, StudyFile& study) {
   study.set = s.texts("set");
   for (std::size_t k = 0; k < study.set.size(); ++k) study.overrides_at[study.set[k]] = s.at("set", k);
-}
-
-void read_cells(const Section& s, Study& study) {
-  for (const auto& row : s.pairs("cells")) study.meshes.push_back(fmt::format("[{}, {}]", row[0], row[1]));
-}
-
-void read_refine(const Section& s, Study& study) {
-  if (s.has("cells")) s.fail("refine", "says what the meshes are; allowed: one of cells and refine");
-  for (const double value : s.numbers("refine", std::nullopt)) study.meshes.push_back(fmt::format("{}", value));
-}
-
-void finish_meshes(const Section& s, Study& study) {
-  const char* const meshes = s.has("refine") ? "refine" : "cells";
-  s.require(meshes);
-  study.mesh_key = std::string("mesh.") + meshes;
-  if (study.meshes.size() < 2) s.fail(meshes, "a sequence needs at least two meshes");
-  for (std::size_t k = 0; k < study.meshes.size(); ++k)
-    study.overrides_at[study.mesh_key + "=" + study.meshes[k]] = s.at(meshes, k);
 }
 
 void check_names(const Section& s, const std::vector<Quantity>& all) {
@@ -137,24 +93,42 @@ void check_names(const Section& s, const std::vector<Quantity>& all) {
   if (all.empty()) throw InputError(s.at(), "quantity", "missing; allowed: at least one [[quantity]] section");
 }
 
-void finish(const Section& s, Study& study) {
-  finish_meshes(s, study);
+// What only a sequence can tell.
+void check_against_sequence(const Section& s, const StudyFile& study) {
+  if (!study.sequences.empty()) return;
+  const auto sections = s.sections("quantity");
+  const char* const how = "needs a sequence; allowed: with cells, refine, files or [[sequence]]";
+  for (std::size_t k = 0; k < sections.size(); ++k) {
+    for (const char* key : {"order_within", "limit_within"})
+      if (sections[k].has(key)) sections[k].fail(key, how);
+    if (const auto& q = study.quantities[k]; q.kind == Quantity::Kind::Profile && q.reference.empty())
+      sections[k].fail("reference", std::string("missing: a comparison with the finest mesh ") + how);
+  }
+}
+
+void finish(const Section& s, StudyFile& study) {
+  finish_axes(s, study);
   check_names(s, study.quantities);
+  check_against_sequence(s, study);
 }
 
 }  // namespace
 
-const Table<Study>& study_table() {
-  using Row = Row<Study>;
-  static const Table<Study> table{
-      {Row::value("title", &Study::title, "one line for reports"),
+const Table<StudyFile>& study_table() {
+  using Row = Row<StudyFile>;
+  static const Table<StudyFile> table{
+      {Row::value("title", &StudyFile::title, "one line for reports"),
        Row::custom("scene", "text", "scene file, relative to the study", read_scene_file).needed(),
        Row::custom("set", "array of texts", "overrides of all runs, KEY=VALUE", read_set),
        Row::custom("cells", "array of pairs", "mesh.cells of each mesh", read_cells),
        Row::custom("refine", "array of numbers", "mesh.refine of each mesh", read_refine),
-       Row::section("sweep", kItself, sweep_table(), "a key of the scene that is varied as well"),
-       Row::sections("quantity", &Study::quantities, quantity_table(), Listed::Always,
-                     "what is followed over the meshes")},
+       Row::custom("files", "array of texts", "meshes of Gmsh, relative to the study", read_files),
+       Row::sections("sequence", &StudyFile::sequences, sequence_table(), Listed::IfAny,
+                     "keys that get finer, alone or with the meshes: the k-th values together"),
+       Row::sections("sweep", &StudyFile::sweeps, sweep_table(), Listed::IfAny,
+                     "keys of the scene that are varied as well; several: all combinations"),
+       Row::sections("quantity", &StudyFile::quantities, quantity_table(), Listed::Always,
+                     "what is followed over the sequence")},
       {},
       finish};
   return table;
@@ -162,9 +136,8 @@ const Table<Study>& study_table() {
 
 Study read_study(const std::string& file) {
   const Document document = Document::load(file, {});
-  Study out;
+  StudyFile out;
   out.file = file;
-  out.variants = {""};
   read(study_table(), Section(document, document.root, "", "study"), out);
   return out;
 }

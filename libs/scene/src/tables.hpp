@@ -18,6 +18,7 @@ const Table<problem::GravitySpec>& gravity_table();
 const Table<problem::LoadingSpec>& loading_table();
 const Table<problem::SolverSpec>& solver_table();
 
-const Table<Study>& study_table();
+struct StudyFile;
+const Table<StudyFile>& study_table();
 
 }  // namespace cleft::scene

@@ -47,6 +47,7 @@ class Run {
 
   assembly::Model build();
   std::optional<results::Checkpoint> take_folder();
+  bool is_far_enough() const;
   bool advance();
   bool writes(const std::function<void()>& write);
   bool record_failed_attempts();
@@ -109,8 +110,14 @@ std::optional<results::Checkpoint> Run::take_folder() {
 }
 
 void Run::advance_to_the_end() {
-  while (!evolution_->done() && advance()) {
+  while (!evolution_->done() && !is_far_enough() && advance()) {
   }
+}
+
+// Whether the last load is reached, and no tip still has to advance there.
+bool Run::is_far_enough() const {
+  constexpr double kRounding = 1e-12;
+  return result_.load >= options_.last_load - kRounding && evolution_->record().pending.empty();
 }
 
 // One increment, or one step of growth; false where the run ends early.
@@ -201,7 +208,7 @@ void Run::tell(int iteration, double residual) {
   progress_.cuts = counts_.cuts;
   progress_.elapsed = clock_.seconds();
   const double covered = progress_.load - first_load_;
-  progress_.rest = covered > 0.0 ? progress_.elapsed * (1.0 - progress_.load) / covered : 0.0;
+  progress_.rest = covered > 0.0 ? progress_.elapsed * (options_.last_load - progress_.load) / covered : 0.0;
   options_.observer(progress_);
 }
 

@@ -42,6 +42,22 @@ TEST(Run, StoppedAndResumedLeavesTheSameFiles) {
     EXPECT_EQ(read_bytes(folder / "parts" + "/" + file), read_bytes(folder / "whole" + "/" + file)) << file;
 }
 
+TEST(Run, EndsAtTheLastLoadAskedForAndGoesOnFromThere) {
+  const Folder folder;
+  const problem::Specification scene = scene_of(kBlock);
+  RunOptions options = into(folder / "run");
+  options.last_load = 0.5;
+  ASSERT_EQ(run(scene, options).end, RunResult::End::Done);
+  const auto loads = [&] { return read_csv(folder / "run/history.csv").column("load"); };
+  EXPECT_GE(loads().back(), 0.5);
+  EXPECT_LT(loads()[loads().size() - 2], 0.5);
+  options.last_load = 1.0;
+  options.resume = true;
+  ASSERT_EQ(run(scene, options).load, 1.0);
+  ASSERT_EQ(run(scene, into(folder / "whole")).end, RunResult::End::Done);
+  EXPECT_EQ(read_bytes(folder / "run/history.csv"), read_bytes(folder / "whole/history.csv"));
+}
+
 TEST(Run, HitsAPeakOfTheLoadBetweenTwoIncrements) {
   const Folder folder;
   const problem::Specification scene = scene_of(

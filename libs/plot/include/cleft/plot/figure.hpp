@@ -19,6 +19,12 @@ struct Curve {
   std::vector<double> shade;  ///< a value a point that colours it along the colour bar; empty: none
 };
 
+/// A word in the plot, to the right of its place.
+struct Note {
+  double x = 0.0, y = 0.0;
+  std::string text;
+};
+
 enum class Scale { Linear, LogY, LogLog };
 
 struct Figure {
@@ -26,6 +32,7 @@ struct Figure {
   std::string shade_label;  ///< of the colour bar, where a curve has shades
   Scale scale = Scale::Linear;
   std::vector<Curve> curves;
+  std::vector<Note> notes;
 };
 
 /// What gnuplot is to draw: commands that end with the one that plots.

@@ -35,17 +35,30 @@ struct Quantity {
   std::optional<std::array<double, 2>> order_within, limit_within;  ///< make the study a check
 };
 
+/// A place in a sequence or in a sweep: the values of the keys that vary there.
+struct Setting {
+  std::vector<std::string> set;     ///< overrides, KEY=VALUE
+  std::vector<std::string> values;  ///< as tables show them, one a key
+  std::string label;                ///< all of them in a word; empty where nothing varies
+  double h = 0.0;                   ///< of sequences whose size is said by a key's values; 0: of the mesh
+};
+
 struct Study {
   std::string file, title;
   Location scene_at;
-  std::string scene;                  ///< file
-  std::vector<std::string> set;       ///< overrides of all runs, KEY=VALUE
-  std::string mesh_key;               ///< mesh.cells or mesh.refine
-  std::vector<std::string> meshes;    ///< its values, as TOML, coarsest first
-  std::string sweep_key;              ///< empty: nothing is swept
-  std::vector<std::string> variants;  ///< values of the swept key, as TOML; one empty one without a sweep
+  std::string scene;             ///< file
+  std::vector<std::string> set;  ///< overrides of all runs, KEY=VALUE
+
+  std::vector<std::string> sequence_keys;  ///< empty: there is no sequence
+  std::vector<Setting> sequence;           ///< coarsest first; without a sequence one that sets nothing
+  std::string size_label = "h, m";         ///< what h is, for axes
+  Location sequence_at;
+
+  std::vector<std::string> sweep_keys;  ///< empty: nothing is swept
+  std::vector<Setting> variants;        ///< all combinations; without a sweep one that sets nothing
+
   std::vector<Quantity> quantities;
-  std::map<std::string, Location> overrides_at;  ///< where each override of `set`, of the meshes and variants stands
+  std::map<std::string, Location> overrides_at;  ///< where each override stands
 };
 
 /// Reads and validates a study file (TOML). Throws InputError with file, line and column on anything wrong in it; what
@@ -53,8 +66,21 @@ struct Study {
 ///
 ///     scene = "block.toml"                     # beside the study
 ///     set = ["material.model=neo-hookean"]     # optional
-///     cells = [[8, 16], [16, 32], [32, 64]]    # or, of delaunay meshes, refine = [1, 2, 4]
-///     sweep = { key = "crack.main.negative_side", values = ["left", "right"] }    # optional
+///     cells = [[8, 16], [16, 32], [32, 64]]    # or, of delaunay meshes, refine = [1, 2, 4],
+///                                              # or, of Gmsh, files = ["coarse.msh", "fine.msh"]
+///
+///     [[sequence]]                             # in place of cells, or beside them: the k-th values together
+///     key = "loading.steps"
+///     values = [10, 20, 40]
+///     h = "1/value"                            # or value; default: of the mesh, where that varies
+///
+///     [[sweep]]                                # optional; several: all combinations of their values
+///     key = "crack.main.negative_side"
+///     values = ["left", "right"]
+///
+///     [[sweep]]                                # keys that vary together: a value of each in every row
+///     key = ["material.young", "material.poisson"]
+///     values = [[1e10, 0.25], [2e10, 0.3]]
 ///
 ///     [[quantity]]
 ///     column = "fy_top"

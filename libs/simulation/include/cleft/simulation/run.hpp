@@ -31,6 +31,7 @@ struct RunOptions {
   std::string directory;
   bool resume = false;
   int threads = 1;
+  double last_load = 1.0;  ///< the run ends with the first increment that reaches it
   std::function<void(const std::string&)> remark;  ///< hears the remarks on the scene, and what grows
   std::function<void(const Progress&)> observer;
   std::function<void(const solve::Step&)> step;  ///< hears each step that is recorded
