@@ -6,13 +6,14 @@
 namespace cleft::tools {
 
 /// Exit codes of the program.
-enum Exit { kDone = 0, kCheckFailed = 1, kBadInput = 2, kFailed = 3 };
+enum Exit { kDone = 0, kCheckFailed = 1, kBadInput = 2, kFailed = 3, kUndecided = 4 };
 
 /// `result` receives the exit code when the verb is run.
 void add_run(CLI::App& app, int& result);
 void add_check(CLI::App& app, int& result);
 void add_tangent(CLI::App& app, int& result);
 void add_newton(CLI::App& app, int& result);
+void add_swap(CLI::App& app, int& result);
 void add_converge(CLI::App& app, int& result);
 void add_init(CLI::App& app, int& result);
 void add_scene(CLI::App& app, int& result);

@@ -71,14 +71,6 @@ Task task_of(const scene::Study& study, const std::string& mesh, const std::stri
   throw InputError(study.scene_at, "scene", error.what());
 }
 
-// Side of a square of two triangles of mean area, metres: the width of square cells.
-double mean_size(const geometry::Mesh& mesh) {
-  const auto count = static_cast<Index>(mesh.triangles.size());
-  double area = 0.0;
-  for (Index t = 0; t < count; ++t) area += geometry::triangle_area(mesh, t);
-  return std::sqrt(2.0 * area / static_cast<double>(count));
-}
-
 bool is_done(const std::string& folder) {
   const std::string path = folder + "/run.json";
   return std::filesystem::exists(path) && read_bytes(path).find("\"end\": \"done\"") != std::string::npos;
@@ -211,7 +203,7 @@ StudyResult run_study(const scene::Study& study, const StudyOptions& options) {
       const auto* structured = std::get_if<problem::StructuredMesh>(&s.mesh.kind);
       run.mesh = structured ? fmt::format("{}x{}", structured->cells[0], structured->cells[1]) : "refine " + mesh;
       run.variant = label(variant);
-      run.h = mean_size(model.mesh);
+      run.h = geometry::mean_element_size(model.mesh);
       run.unknowns = model.unknowns.components();
       // named by all that the result depends on: the scene and the program itself
       run.folder = fmt::format("{}/runs/{}_{}{:08x}", options.directory,
