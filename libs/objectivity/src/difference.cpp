@@ -37,7 +37,8 @@ Difference reaction(std::span<const Solution> solutions, const std::string& name
 }
 
 Difference energy(std::span<const Solution> solutions, std::size_t number) {
-  Difference out{solutions[0].energies[number].first, true, {}};
+  const std::string& name = solutions[0].energies[number].first;
+  Difference out{name, name != "contact_energy", {}};
   const double least = kLeastPart * largest_energy(solutions);
   for (const auto& [i, k] : pairs_of(solutions.size())) {
     const double a = solutions[i].energies[number].second, b = solutions[k].energies[number].second;
@@ -52,13 +53,17 @@ double relative_distance(const convergence::Curve& a, const convergence::Curve& 
   return over(distance(a, b, range).l2, std::max(distance(a, zero, range).l2, distance(b, zero, range).l2));
 }
 
-// Of the faces of two solutions that differ more.
+// Of the faces of two solutions that differ more: like with like where both have points on both, else each with each.
 double distance_of(std::span<const PressureProfile> profiles, std::pair<std::size_t, std::size_t> pair,
                    const std::array<double, 2>& range) {
+  const auto has_both = [&](std::size_t solution) {
+    return std::ranges::count(profiles, solution, &PressureProfile::solution) > 1;
+  };
+  const bool alike = has_both(pair.first) && has_both(pair.second);
   double out = 0.0;
   for (const auto& a : profiles)
     for (const auto& b : profiles)
-      if (a.solution == pair.first && b.solution == pair.second)
+      if (a.solution == pair.first && b.solution == pair.second && (!alike || a.face == b.face))
         out = std::max(out, relative_distance(a.curve, b.curve, range));
   return out;
 }

@@ -58,10 +58,12 @@ Face face_of(const std::string& side, std::vector<PointOnFace> points) {
   return out;
 }
 
-std::vector<Face> read_faces(const std::string& file, double load) {
+std::vector<Face> read_faces(const std::string& file, double load, problem::Kinematics kinematics) {
   const auto table = read_csv(file);
-  const auto loads = table.column("load"), steps = table.column("step"), s = table.column("s"), x = table.column("x"),
-             y = table.column("y"), pressure = table.column("pressure");
+  const bool finite = kinematics == problem::Kinematics::Finite;
+  const auto x = table.column(finite ? "x" : "X"), y = table.column(finite ? "y" : "Y");
+  const auto loads = table.column("load"), steps = table.column("step"), s = table.column("s"),
+             pressure = table.column("pressure");
   const double step = steps[last_row_at(loads, load, file)];
   const auto side = static_cast<std::size_t>(std::ranges::find(table.header, "side") - table.header.begin());
   std::map<std::string, std::vector<PointOnFace>> by_side;
@@ -75,10 +77,11 @@ std::vector<Face> read_faces(const std::string& file, double load) {
 
 }  // namespace
 
-Solution read_solution(const std::string& folder, double load, const std::vector<std::string>& cracks) {
+Solution read_solution(const std::string& folder, double load, const problem::Specification& scene) {
   Solution out;
   read_history(folder, load, out);
-  for (const auto& crack : cracks) out.faces[crack] = read_faces(folder + "/crack_" + crack + ".csv", load);
+  for (const auto& crack : scene.cracks)
+    out.faces[crack.name] = read_faces(folder + "/crack_" + crack.name + ".csv", load, scene.kinematics);
   return out;
 }
 

@@ -120,7 +120,7 @@ class Runs {
   std::optional<Solution> read(const problem::Specification& scene, const std::string& folder) const {
     if (!std::filesystem::exists(folder + "/run.json")) return std::nullopt;
     try {
-      return read_solution(folder, options_.load, names_of_cracks(scene));
+      return read_solution(folder, options_.load, scene);
     } catch (const std::runtime_error&) {  // it ended before the load, or its files are damaged
       return std::nullopt;
     }
@@ -154,7 +154,7 @@ std::vector<Solution> solve_sides(const problem::Specification& scene, const std
                                   const std::vector<std::string>& cracks, Runs& runs) {
   std::vector<Solution> out;
   for (const auto side : kSides) {
-    const std::string label = cleft::name_of(side);
+    const std::string label(cleft::name_of(side));
     auto solution = runs.solve(with_side(scene, cracks, side), name + " " + label);
     if (!solution) continue;
     solution->side = label;

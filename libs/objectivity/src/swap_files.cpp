@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -107,10 +108,11 @@ std::string swap_json(const SwapResult& result, const SwapOptions& options) {
 }
 
 // The pressures of the finest mesh over each other.
-plot::Figure pressure_figure(const SwapResult& result, const std::string& crack, const std::string& title) {
+plot::Drawing pressure_drawing(const SwapResult& result, const std::string& crack, double load) {
+  constexpr int kWide = 760;  // pixels, for the digits of millimetres in metres
   const SwapMesh& mesh = result.meshes.back();
   plot::Figure f;
-  f.title = fmt::format("{}{}crack {}, {}", title, title.empty() ? "" : ": ", crack, mesh.label);
+  f.title = fmt::format("crack {} at load {:g}, mesh {}", crack, load, mesh.label);
   f.x_label = "current place along the crack, m";
   f.y_label = "pressure, Pa";
   for (const auto& [side, turned, profile] : profiles_of(result, mesh, crack)) {
@@ -122,7 +124,9 @@ plot::Figure pressure_figure(const SwapResult& result, const std::string& crack,
     c.dash = static_cast<int>(f.curves.size());
     f.curves.push_back(std::move(c));
   }
-  return f;
+  auto drawing = plot::drawing_of(f, "pressure_" + crack);
+  drawing.width = std::max(drawing.width, kWide);
+  return drawing;
 }
 
 plot::Figure difference_figure(const SwapResult& result, const std::string& title) {
@@ -131,7 +135,12 @@ plot::Figure difference_figure(const SwapResult& result, const std::string& titl
   f.x_label = "h, m";
   f.y_label = "relative difference between sides";
   f.scale = plot::Scale::LogLog;
-  for (const auto& of : result.sides) f.curves.push_back({.title = of.quantity, .x = of.h, .y = of.difference});
+  for (const auto& of : result.sides) {
+    plot::Curve& curve = f.curves.emplace_back();
+    curve.title = of.quantity;
+    curve.x = of.h;
+    curve.y = of.difference;
+  }
   return f;
 }
 
@@ -145,8 +154,7 @@ std::optional<std::string> write_swap(const SwapResult& result, const SwapOption
   write_atomically(folder + "/swap.json", swap_json(result, options));
   plot::remove_drawings(folder, kOrigin);
   std::vector<plot::Drawing> drawings;
-  for (const auto& crack : result.cracks)
-    drawings.push_back(plot::drawing_of(pressure_figure(result, crack, title), "pressure_" + crack));
+  for (const auto& crack : result.cracks) drawings.push_back(pressure_drawing(result, crack, options.load));
   if (result.meshes.size() > 1) drawings.push_back(plot::drawing_of(difference_figure(result, title), "difference"));
   return plot::draw(drawings, folder, kOrigin);
 }

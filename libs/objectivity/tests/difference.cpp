@@ -32,7 +32,7 @@ Solution solution(const std::string& side, std::vector<Face> faces) {
   return out;
 }
 
-const Difference& named(const std::vector<Difference>& all, const std::string& quantity) {
+Difference named(const std::vector<Difference>& all, const std::string& quantity) {
   for (const auto& difference : all)
     if (difference.quantity == quantity) return difference;
   throw std::runtime_error("no " + quantity);
@@ -66,6 +66,12 @@ TEST(Differences, OfTwoFacesTakeTheOneThatDiffersMore) {
       << "over the larger norm";
 }
 
+TEST(Differences, OfSolutionsWithPointsOnBothFacesCompareLikeWithLike) {
+  const auto higher = [](double s) { return 2.0 * linear(s); };
+  const std::vector same(2, solution("both", {face("left", 0.0, 0.0, linear), face("right", 0.2, 0.0, higher)}));
+  EXPECT_EQ(named(differences(same, {0.1, 0.9}), "pressure main").largest(), 0.0);
+}
+
 TEST(Differences, OfAFaceThatIsOpenWhereTheOtherPressesAreWhole) {
   for (const bool first : {false, true}) {
     const std::vector sides{solution("left", {face("left", 0.0, 0.0, first ? pressed_in_the_middle : open)}),
@@ -83,7 +89,7 @@ TEST(Differences, OfAnOpenCrackThereAreNone) {
 TEST(Differences, OfReactionsAreThoseOfVectorsOverTheLargest) {
   std::vector sides(3, solution("left", {face("left", 0.0, 0.0, linear)}));
   sides[1].reactions["bottom"] = Vec2(3.3, 4.4);
-  const auto& bottom = named(differences(sides, {0.1, 0.9}), "reaction bottom");
+  const auto bottom = named(differences(sides, {0.1, 0.9}), "reaction bottom");
   ASSERT_EQ(bottom.of_pair.size(), 3U);
   EXPECT_NEAR(bottom.of_pair[0], 0.05, 1e-12);
   EXPECT_EQ(bottom.of_pair[1], 0.0);

@@ -94,9 +94,9 @@ class TurnedRefuses : public testing::TestWithParam<Refused> {};
 INSTANTIATE_TEST_SUITE_P(
     Scene, TurnedRefuses,
     testing::Values(Refused{"OneComponent", "[[boundary]]\non = \"top\"\nuy = -0.1\n",
-                            "scene.toml:18:1: boundary[1].uy: cannot be turned: it holds one component"},
+                            "scene.toml:17:1: boundary[1].uy: cannot be turned: it holds one component"},
                     Refused{"ABox", "[[boundary]]\nbox = [1.0, 3.0, 3.0, 4.0]\nux = 0.1\nuy = 0.0\n",
-                            "scene.toml:18:1: boundary[1].box: cannot be turned: the box around its turned nodes"},
+                            "scene.toml:17:1: boundary[1].box: cannot be turned: the box around its turned nodes"},
                     Refused{"AField", "[[boundary]]\non = \"top\"\nfield = \"mode-I\"\n",
                             "boundary[1].field: cannot be turned: a registered field has its own axes"},
                     Refused{"AnExactSolution", "[exact]\nsolution = \"waves\"\n",

@@ -17,7 +17,9 @@ namespace cleft::objectivity {
 /// the pressure of an open crack.
 struct Difference {
   std::string quantity;
-  bool judged = true;  ///< false for what is told only: the pressure with the ends of the contact
+  /// False for what is told only: the pressure with the ends of the contact, and the energy of penalties or mortar
+  /// constraints, which is of the method and not of the body.
+  bool judged = true;
   std::vector<double> of_pair;
 
   double largest() const;  ///< NaN if any is
@@ -38,7 +40,8 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of(std::size_t count);
 /// | `pressure NAME`, L2 over the current place, with the ends of the contact | the larger of the two norms |
 /// | `pressure NAME, A to B`, the same over a part of the contact | the larger of the two norms |
 ///
-/// Of a crack with points on both faces the face that differs more counts. At its corner with the body's surface and at
+/// Each face is compared with each of the other solution, like with like where both have points on both faces; what
+/// differs more counts. At its corner with the body's surface and at
 /// a tip the pressure is singular and its norm hardly exists, so that only the part without the ends is judged.
 std::vector<Difference> differences(std::span<const Solution> solutions, const ContactPart& part);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cleft/convergence/curve_distance.hpp"
+#include "cleft/problem/specification.hpp"
 #include "cleft/support/types.hpp"
 
 namespace cleft::objectivity {
@@ -15,7 +16,7 @@ namespace cleft::objectivity {
 /// The contact points of one face of a crack, along the crack.
 struct Face {
   std::string side;              ///< left or right
-  std::vector<Vec2> place;       ///< current, metres
+  std::vector<Vec2> place;       ///< in the configuration in which the faces touch, metres
   std::vector<double> pressure;  ///< Cauchy, Pa, positive in compression; 0 where the crack is open
 };
 
@@ -27,14 +28,15 @@ struct Solution {
   std::map<std::string, std::vector<Face>> faces;        ///< by crack
 };
 
-/// The state at a load in the folder of a run; of several between which cracks have grown, the last. Throws
-/// std::runtime_error if a file cannot be read or has no row at that load.
-Solution read_solution(const std::string& folder, double load, const std::vector<std::string>& cracks);
+/// The state at a load in the folder of a run of the scene; of several between which cracks have grown, the last. Faces
+/// touch in the current configuration; at small strain, in the reference configuration. Throws std::runtime_error if a
+/// file cannot be read or has no row at that load.
+Solution read_solution(const std::string& folder, double load, const problem::Specification& scene);
 
 /// The solution as it was before the scene was turned.
 Solution turned_back(Solution solution, double degrees);
 
-/// Arc length along a crack in the current configuration: of a point that of its foot on the curve through the points
+/// Arc length along a crack in that configuration: of a point that of its foot on the curve through the points
 /// of one face, counted from the first of them, metres. The curve goes on straight beyond its ends. So the points of
 /// both faces get places in common.
 class CurrentPlaces {

@@ -12,8 +12,9 @@
 
 namespace cleft::objectivity {
 
-/// Sides differ by 0.01 at most in the solutions that are known to be right (tools/docs/pages/trust.md has the table).
-inline constexpr double kSideTolerance = 0.01;
+/// Of sound solutions on meshes of 16 cells or more along the crack reactions and energies differ by 0.01 at most
+/// between sides, and the pressure in the inner 80 % of the contact by 0.03 (tools/docs/pages/trust.md has the table).
+inline constexpr double kSideTolerance = 0.03;
 
 /// A turn changes the rounding alone, and what the iteration leaves: its residual tolerance is 1e-8.
 inline constexpr double kTurnTolerance = 1e-6;
