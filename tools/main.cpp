@@ -35,7 +35,7 @@ int dispatch(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done; 1 a check did not hold; 2 the scene or the command line is\n"
       "wrong, nothing is written; 3 the solution ended before the end of the load,\n"
-      "what converged is kept; 4 a check cannot tell.");
+      "what converged is kept; 4 a check cannot be judged.");
   int result = kDone;
   add_init(app, result);
   add_scene(app, result);

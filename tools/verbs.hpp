@@ -6,7 +6,7 @@
 namespace cleft::tools {
 
 /// Exit codes of the program.
-enum Exit { kDone = 0, kCheckFailed = 1, kBadInput = 2, kFailed = 3, kUndecided = 4 };
+enum Exit { kDone = 0, kCheckFailed = 1, kBadInput = 2, kFailed = 3, kCannotTell = 4 };
 
 /// `result` receives the exit code when the verb is run.
 void add_run(CLI::App& app, int& result);

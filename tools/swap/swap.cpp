@@ -119,7 +119,7 @@ int swap(Options options) {
   fmt::print("the check {}\n", name_of(result.verdict));
   return result.verdict == objectivity::Verdict::Holds   ? kDone
          : result.verdict == objectivity::Verdict::Fails ? kCheckFailed
-                                                         : kUndecided;
+                                                         : kCannotTell;
 }
 
 void add_comparison(CLI::App& verb, Options& options) {
