@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <regex>
 
 #include "cleft/scene/json.hpp"
@@ -74,9 +74,11 @@ void print_values(const objectivity::SwapMesh& mesh) {
 void print_judgements(const std::string& title, const std::vector<objectivity::Judgement>& all,
                       const std::vector<std::string>& meshes) {
   if (all.empty()) return;
-  fmt::print("\n{:<28} {:>9}\n", title, fmt::join(meshes, " "));
+  std::size_t width = 26;
+  for (const auto& of : all) width = std::max(width, of.quantity.size());
+  fmt::print("\n{:<{}} {:>9}\n", title, width + 2, fmt::join(meshes, " "));
   for (const auto& of : all) {
-    fmt::print("  {:<26}", of.quantity);
+    fmt::print("  {:<{}}", of.quantity, width);
     for (const double difference : of.difference) fmt::print(" {:>9}", shown(difference));
     const char* verdict = of.verdict ? name_of(*of.verdict) : "not judged";
     fmt::print("  {}{}{}\n", verdict, of.reason.empty() ? "" : ": ", of.reason);

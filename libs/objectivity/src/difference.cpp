@@ -74,12 +74,9 @@ void add_pressures(std::span<const Solution> solutions, const std::string& crack
   const auto whole = contact_range(profiles);
   const auto add = [&](const std::string& quantity, bool judged, const ContactPart& of) {
     Difference& pressure = out.emplace_back(Difference{quantity, judged, {}});
-    for (const auto& pair : pairs_of(solutions.size())) {
-      const double length = whole ? (*whole)[1] - (*whole)[0] : 0.0;
-      pressure.of_pair.push_back(
-          length > 0.0 ? distance_of(profiles, pair, {(*whole)[0] + of[0] * length, (*whole)[0] + of[1] * length})
-                       : kNothing);
-    }
+    const auto place = [&](double fraction) { return std::lerp((*whole)[0], (*whole)[1], fraction); };
+    for (const auto& pair : pairs_of(solutions.size()))
+      pressure.of_pair.push_back(whole ? distance_of(profiles, pair, {place(of[0]), place(of[1])}) : kNothing);
   };
   add("pressure " + crack, false, {0.0, 1.0});
   add(fmt::format("pressure {}, {:g} to {:g}", crack, part[0], part[1]), true, part);
@@ -117,14 +114,16 @@ std::vector<PressureProfile> pressure_profiles(std::span<const Solution> solutio
 }
 
 std::optional<std::array<double, 2>> contact_range(std::span<const PressureProfile> profiles) {
-  std::optional<std::array<double, 2>> out;
-  for (const auto& [solution, face, curve] : profiles)
-    for (std::size_t k = 0; k < curve.place.size(); ++k) {
-      if (!(curve.value[k] > 0.0)) continue;
-      const double place = curve.place[k];
-      out = out ? std::array{std::min((*out)[0], place), std::max((*out)[1], place)} : std::array{place, place};
-    }
-  return out;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<double, 2> pressed{kFar, -kFar}, given{-kFar, kFar};
+  for (const auto& [solution, face, curve] : profiles) {
+    const auto [first, last] = std::ranges::minmax(curve.place);
+    given = {std::max(given[0], first), std::min(given[1], last)};
+    for (std::size_t k = 0; k < curve.place.size(); ++k)
+      if (curve.value[k] > 0.0) pressed = {std::min(pressed[0], curve.place[k]), std::max(pressed[1], curve.place[k])};
+  }
+  const std::array out{std::max(pressed[0], given[0]), std::min(pressed[1], given[1])};
+  return out[0] < out[1] ? std::optional(out) : std::nullopt;
 }
 
 }  // namespace cleft::objectivity

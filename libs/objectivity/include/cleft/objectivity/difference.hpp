@@ -54,7 +54,8 @@ struct PressureProfile {
 };
 std::vector<PressureProfile> pressure_profiles(std::span<const Solution> solutions, const std::string& crack);
 
-/// From the first to the last place where any of them presses, metres; none on an open crack.
+/// From the first to the last place where any of them presses, as far as all of them have points, metres; none on an
+/// open crack.
 std::optional<std::array<double, 2>> contact_range(std::span<const PressureProfile> profiles);
 
 }  // namespace cleft::objectivity
