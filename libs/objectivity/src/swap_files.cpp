@@ -49,16 +49,16 @@ std::string differences_csv(const SwapResult& result) {
 }
 
 // A profile and whose it is.
-struct Named {
+struct SideProfile {
   std::string side, turned;
   PressureProfile profile;
 };
 
 // Of one mesh, with the turned ones if they are of it.
-std::vector<Named> profiles_of(const SwapResult& result, const SwapMesh& mesh, const std::string& crack) {
+std::vector<SideProfile> profiles_of(const SwapResult& result, const SwapMesh& mesh, const std::string& crack) {
   auto all = mesh.solutions;
   if (&mesh == &result.meshes[0]) all.insert(all.end(), result.turned.begin(), result.turned.end());
-  std::vector<Named> out;
+  std::vector<SideProfile> out;
   if (all.empty()) return out;
   for (auto& profile : pressure_profiles(all, crack))
     out.push_back({all[profile.solution].side, profile.solution < mesh.solutions.size() ? "no" : "yes", profile});
