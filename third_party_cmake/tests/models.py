@@ -4,6 +4,7 @@
 A model is filled where a variable of this type is declared in a file that also assigns a member of it. SOURCE is the
 folder that holds libs/. A FOLDER that starts with a hyphen is a file that may: -tangent_check/src/element_tangent.cpp.
 """
+import os
 import re
 import sys
 
@@ -25,6 +26,9 @@ def filled(text):
 
 def main(root, *folders):
     may = [f"{root}/libs/{folder[1:]}" for folder in folders if folder.startswith("-")]
+    for path in may:
+        if not os.path.isfile(path):
+            sys.exit(f"{path} may fill a model, but there is no such file: mend the list of exceptions")
     paths = sources.files(root, [folder for folder in folders if not folder.startswith("-")])
     faults = [f"{path}:{line}: {name}" for path in paths if str(path) not in may for line, name in filled(path.read_text())]
     return sources.end(faults, "models are filled outside of problem")

@@ -125,7 +125,8 @@ int check(const Options& options) {
           fmt::format("{}, {} quadrature points", 2 * (numbers.displacements() - numbers.first_amplitude),
                       model.tip_points.size()));
   if (numbers.multipliers > 0) print("unknowns of contact", fmt::format("{}", 2 * numbers.multipliers));
-  print("contact points", fmt::format("{}", model.surfaces.points.size()));
+  print("contact points",
+        fmt::format("{} that may touch; history.csv counts those that do", model.surfaces.points.size()));
   for (std::size_t k = 0; k < model.cracks.size(); ++k) {
     const auto& cut = model.cut.cracks[k];
     const auto end = [&](const geometry::CrackEnd& e) {

@@ -97,7 +97,8 @@ TEST(HardContact, ColumnsSplitAlongTheirLengthReachTheirLoadAndTheirMirrorImages
   }
   table.compare("columns that failed", failed, exact(0), within(0, "none may"));
   table.compare("increments that were cut", cuts, exact(0), within(0, "a zip has no scale: no smaller step helps"));
-  table.compare("most iterations of an increment", most, exact(6), within(6, "what is allowed without chatter"));
+  table.compare("most iterations of an increment", most, exact(6),
+                within(6, "what is allowed without active-set cycling"));
   table.compare("mirror image: difference of the reaction", difference, exact(0), within(1e-7, "the iteration's"));
 }
 

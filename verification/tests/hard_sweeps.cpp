@@ -190,7 +190,7 @@ TEST_P(HardRandom, NoCrackOfAThousandFails) {
       solved, refused, loose, cuts, most, stressed);
   table.compare("cracks that failed", failed, exact(0), within(0, "none may"));
   table.compare("part of the increments that was cut", cuts / (4.0 * solved), exact(0),
-                within(0.01, "contact that chatters is damped; what is left needs a shorter increment"));
+                within(0.01, "an active set that cycles is damped; what is left needs a shorter increment"));
 }
 
 }  // namespace

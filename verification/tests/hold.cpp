@@ -36,7 +36,7 @@ Drift drift_of(const problem::Specification& scene, double held) {
   solve::LoadStepper stepper(model, problem::step_controls(scene));
   go_to(stepper, held);
   Drift out;
-  for (const auto& memory : stepper.state().history.contact) out.slid = out.slid || memory.state.slip > 0.0;
+  for (const auto& past : stepper.state().history.contact) out.slid = out.slid || past.state.slip > 0.0;
   const VecX before = forces(stepper);
   go_to(stepper, 1.0);
   out.over_forces = (forces(stepper) - before).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();

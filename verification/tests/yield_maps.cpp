@@ -39,16 +39,16 @@ Map map_of(const std::string& name, const std::vector<std::string>& overrides = 
   Map map;
   assembly::for_each_material_point(model, [&](std::size_t number, const auto&, double weight) {
     const auto p = static_cast<Index>(number);
-    const auto& memory = state.history.plastic[number];
-    if (!(memory.accumulated > 0.0)) return;
+    const auto& past = state.history.plastic[number];
+    if (!(past.accumulated > 0.0)) return;
     const auto at = assembly::material_point(model, p);
     const Vec2 from = at.reference - tip;
     Half& half = (at.side ? *at.side == geometry::Side::Left : from.dot(across) > 0.0) ? map.above : map.below;
     half.area += weight;
-    half.flow += weight * memory.accumulated;
+    half.flow += weight * past.accumulated;
     if (number < model.cells.size() && weight < kSliver * mean) return;
     const double value =
-        assembly::localisation_of(model.material(p), assembly::deformation(model, p, state.displacement), memory).value;
+        assembly::localisation_of(model.material(p), assembly::deformation(model, p, state.displacement), past).value;
     if (value < half.least) {
       half.least = value;
       half.along = from.dot(along);

@@ -16,9 +16,9 @@ void Assembler::find_contact(const VecX& displacement, const History& history, c
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (!is_mortar(s, p) || pairs_[p].partner_face == kNone) continue;
     auto& state = pairs_[p].state;
-    const bool past = state.partner < 0.0 || state.partner > 1.0;
-    state.ramp = past ? 0.0 : 1.0;
-    state.traction = past ? contact::Traction{} : multipliers_.traction(s, s.points[p].face, s.points[p].eta);
+    const bool beyond = state.partner < 0.0 || state.partner > 1.0;
+    state.ramp = beyond ? 0.0 : 1.0;
+    state.traction = beyond ? contact::Traction{} : multipliers_.traction(s, s.points[p].face, s.points[p].eta);
   }
 }
 
@@ -34,12 +34,12 @@ struct Assembler::PairColumns {
   int rows = 0;  // the first of them, on which the force acts
 
   PairColumns(const contact::Surfaces& surfaces, Index point, const contact::Pair& pair,
-              const contact::ContactState& memory) {
+              const contact::ContactState& past) {
     const auto& faces = surfaces.faces;
     add_ends(faces[surfaces.points[point].face], 0);
     add_ends(faces[pair.partner_face], 4);
     rows = count;
-    if (pulls_anchor(surfaces, pair)) add_place(faces[memory.anchor_face], memory.anchor_place, 8);
+    if (pulls_anchor(surfaces, pair)) add_place(faces[past.anchor_face], past.anchor_place, 8);
     if (pair.mouth_face != kNone && pair.state.ramp < 1.0)
       add_place(faces[pair.mouth_face], pair.mouth_at_end ? 1.0 : 0.0, 10);
   }
@@ -63,7 +63,7 @@ struct Assembler::PairColumns {
   }
 };
 
-void Assembler::assemble_contact(const std::vector<contact::ContactState>& memory) {
+void Assembler::assemble_contact(const std::vector<contact::ContactState>& past) {
   const PhaseTimer timer(seconds_.contact);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto& pair = pairs_[p];
@@ -71,11 +71,11 @@ void Assembler::assemble_contact(const std::vector<contact::ContactState>& memor
     const auto index = static_cast<Index>(p);
     const auto force =
         model_.surfaces.undeformed
-            ? contact::force_undeformed(model_.surfaces, index, pair, memory[p])
-            : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, memory[p]),
-                             contact::pair_constants(model_.surfaces, face_positions(), index, pair, memory[p]),
+            ? contact::force_undeformed(model_.surfaces, index, pair, past[p])
+            : contact::force(contact::pair_points(model_.surfaces, face_positions(), index, pair, past[p]),
+                             contact::pair_constants(model_.surfaces, face_positions(), index, pair, past[p]),
                              pair.state);
-    add_pair(PairColumns(model_.surfaces, index, pair, memory[p]), force);
+    add_pair(PairColumns(model_.surfaces, index, pair, past[p]), force);
   }
 }
 

@@ -74,14 +74,14 @@ const std::vector<BlockMatrix::Place>& Assembler::places_of(Index interval_part,
   return places;
 }
 
-void Assembler::assemble_multipliers(const contact::MultiplierState& memory) {
+void Assembler::assemble_multipliers(const contact::MultiplierState& past) {
   const PhaseTimer timer(seconds_.contact);
   const auto& m = multipliers_;
   for (std::size_t o = 0; o < m.mortar_pairs().size(); ++o) {
     add_mortar_pair(o);
     for (Index p = m.mortar_pairs()[o].first; p < m.mortar_pairs()[o].last; ++p)
       if (m.mortar_segments()[p].anchor_map != kNone && !model_.surfaces.undeformed)
-        add_anchor(p, memory.anchor_maps[m.mortar_segments()[p].anchor_map].anchor_face);
+        add_anchor(p, past.anchor_maps[m.mortar_segments()[p].anchor_map].anchor_face);
   }
   for (Index node = 0; node < static_cast<Index>(m.nodes().size()); ++node) {
     add_condition(node);
@@ -91,7 +91,7 @@ void Assembler::assemble_multipliers(const contact::MultiplierState& memory) {
 
 // Forces, and the integrals in the conditions of its two nodes.
 void Assembler::add_mortar_pair(std::size_t number) {
-  const auto& hats = model_.surfaces.multiplier_space;
+  const auto& space = model_.surfaces.multiplier_space;
   const auto& [interval_part, partner, first, last] = multipliers_.mortar_pairs()[number];
   const auto& integrals = multipliers_.integrals()[number];
   const Columns columns = columns_of(model_.surfaces, interval_part, partner);
@@ -106,10 +106,10 @@ void Assembler::add_mortar_pair(std::size_t number) {
     for (int c = 0; c < columns.size(); ++c) matrix_.add(places[r * columns.size() + c], block_of(by, columns[c]));
   }
   for (int k = 0; k < 2; ++k) {
-    const Index node = hats.ends(interval_part)[k];
+    const Index node = space.ends(interval_part)[k];
     const auto& condition = multipliers_.conditions()[node];
     const Vec2& by_cover =
-        condition.by_cover[hats.interval_parts[interval_part].interval == hats.nodes[node].before ? 0 : 1];
+        condition.by_cover[space.interval_parts[interval_part].interval == space.nodes[node].before ? 0 : 1];
     if (condition.by_integral.isZero(0.0) && condition.by_beyond.isZero(0.0) && by_cover.isZero(0.0)) continue;
     const auto support_by = [&](int j) { return integrals.node_by.row(kSupportOutput - kGapOutput + j); };
     Eigen::Matrix<double, 2, kNodeInputs> by =
@@ -169,15 +169,15 @@ void Assembler::add_facing(Index node) {
 
 // What a condition misses, and as it depends on the node itself and its neighbours.
 void Assembler::add_condition(Index node) {
-  const auto& hats = model_.surfaces.multiplier_space;
+  const auto& space = model_.surfaces.multiplier_space;
   const auto& condition = multipliers_.conditions()[node];
   const Index row = model_.surfaces.first_multiplier + node;
   force_.segment<2>(2 * row) += condition.value;
   matrix_.add(matrix_.find(row, row), condition.by_own);
   for (int k = 0; k < 2; ++k) {
-    const Index e = k == 0 ? hats.nodes[node].before : hats.nodes[node].after;
+    const Index e = k == 0 ? space.nodes[node].before : space.nodes[node].after;
     if (e == kNone) continue;
-    const Index other = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
+    const Index other = k == 0 ? space.intervals[e].first : space.intervals[e].second;
     matrix_.add(matrix_.find(row, model_.surfaces.first_multiplier + other), condition.by_neighbour[k]);
   }
 }

@@ -52,10 +52,10 @@ void couple_multipliers(const contact::Surfaces& surfaces, Couplings& couplings)
 void add_unknowns(const contact::Surfaces& surfaces, Index face, std::vector<Index>& out) {
   const auto& own = surfaces.faces[face].start.unknown;
   out.insert(out.end(), own.begin(), own.end());
-  const auto& hats = surfaces.multiplier_space;
-  if (hats.empty()) return;
-  for (Index k = hats.first_part[face]; k < hats.first_part[face + 1]; ++k) {
-    const auto multipliers = multipliers_of(surfaces, hats.intervals[hats.interval_parts[k].interval]);
+  const auto& space = surfaces.multiplier_space;
+  if (space.empty()) return;
+  for (Index k = space.first_part[face]; k < space.first_part[face + 1]; ++k) {
+    const auto multipliers = multipliers_of(surfaces, space.intervals[space.interval_parts[k].interval]);
     out.insert(out.end(), multipliers.begin(), multipliers.end());
   }
 }
@@ -134,14 +134,14 @@ void Assembler::build_pattern() {
 }
 
 void Assembler::reserve_couplings(const History& history) {
-  const auto& memory = history.contact;
+  const auto& past = history.contact;
   for (auto& faces : reserved_) faces.clear();
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     auto& faces = reserved_[model_.surfaces.points[p].face];
     if (pairs_[p].partner_face != kNone)
       add_with_neighbours(model_.surfaces.faces, pairs_[p].partner_face, kReservedNeighbours, faces);
     if (pairs_[p].mouth_face != kNone) faces.push_back(pairs_[p].mouth_face);
-    if (memory[p].anchor_face != kNone) faces.push_back(memory[p].anchor_face);
+    if (past[p].anchor_face != kNone) faces.push_back(past[p].anchor_face);
   }
   for (const auto& mortar_segment : multipliers_.mortar_segments())
     add_with_neighbours(model_.surfaces.faces, mortar_segment.partner, kReservedNeighbours,
@@ -155,7 +155,7 @@ void Assembler::reserve_couplings(const History& history) {
 }
 
 bool Assembler::has_couplings(const History& history) const {
-  const auto& memory = history.contact;
+  const auto& past = history.contact;
   for (const auto& mortar_segment : multipliers_.mortar_segments()) {
     const auto& faces = reserved_[model_.surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face];
     const auto holds = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
@@ -170,7 +170,7 @@ bool Assembler::has_couplings(const History& history) const {
     const auto& faces = reserved_[model_.surfaces.points[p].face];
     const auto holds = [&](Index f) { return f == kNone || std::binary_search(faces.begin(), faces.end(), f); };
     if (!holds(pair.partner_face) || !holds(pair.mouth_face)) return false;
-    if (pulls_anchor(model_.surfaces, pair) && !holds(memory[p].anchor_face)) return false;
+    if (pulls_anchor(model_.surfaces, pair) && !holds(past[p].anchor_face)) return false;
   }
   return true;
 }

@@ -10,7 +10,7 @@ inline bool pulls_anchor(const contact::Surfaces& surfaces, const contact::Pair&
   return pair.state.traction.status == contact::Status::Stick && pair.anchored && !surfaces.undeformed;
 }
 
-// Whether a contact point only shows what its crack's hats carry.
+// Whether a contact point only shows the tractions of its crack's multipliers.
 inline bool is_mortar(const contact::Surfaces& surfaces, std::size_t point) {
   return !surfaces.multiplier_space.empty() && surfaces.is_mortar(surfaces.faces[surfaces.points[point].face].crack);
 }

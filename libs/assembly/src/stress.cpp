@@ -4,7 +4,7 @@
 
 namespace cleft::assembly {
 
-Stress stress_of(const Material& material, const Mat2& F, const constitutive::PlasticState& remembered) {
+Stress stress_of(const Material& material, const Mat2& F, const constitutive::PlasticState& state) {
   return std::visit(
       [&]<class Law>(const Law& law) -> Stress {
         constexpr bool kSmall = constitutive::kIsSmallStrain<Law>;
@@ -12,8 +12,8 @@ Stress stress_of(const Material& material, const Mat2& F, const constitutive::Pl
         double out_of_plane = 0.0;  // tau_33
         if constexpr (constitutive::PathDependent<Law>) {
           constitutive::PlasticState same;  // the stress is on the yield surface, or no time passes to bring it there
-          piola = law.respond(F, remembered, same, 0.0).piola;
-          out_of_plane = law.out_of_plane_stress(F, remembered);
+          piola = law.respond(F, state, same, 0.0).piola;
+          out_of_plane = law.out_of_plane_stress(F, state);
         } else {
           piola = law.respond(F).piola;
           // both hyperelastic laws have tau_33 = lambda ln J when the third stretch is 1
@@ -26,11 +26,11 @@ Stress stress_of(const Material& material, const Mat2& F, const constitutive::Pl
 }
 
 constitutive::Localisation localisation_of(const Material& material, const Mat2& F,
-                                           const constitutive::PlasticState& remembered) {
+                                           const constitutive::PlasticState& state) {
   return std::visit(
       [&]<class Law>(const Law& law) -> constitutive::Localisation {
         if constexpr (constitutive::PathDependent<Law>)
-          return constitutive::localisation(law, F, remembered);
+          return constitutive::localisation(law, F, state);
         else
           return {};
       },

@@ -4,22 +4,22 @@
 
 #include <benchmark/benchmark.h>
 
-#include "../tests/slider.hpp"
+#include "contact/tests/slider.hpp"
 
 namespace {
 
 using namespace cleft;
 
-contact::Slider with_hats(contact::NegativeSide side, int cells) {
+contact::Slider with_multiplier_space(contact::NegativeSide side, int cells) {
   contact::Slider slider(side, cells);
-  slider.give_hats(1.0 / cells);
+  slider.add_multiplier_space(1.0 / cells);
   return slider;
 }
 
 // Iterates on the way from a slip to one a fifth of a cell farther. Items are contact points, as in search.cpp.
 void multipliers(benchmark::State& state, contact::NegativeSide side) {
   const auto cells = static_cast<int>(state.range(0));
-  auto slider = with_hats(side, cells);
+  auto slider = with_multiplier_space(side, cells);
   const auto& surfaces = slider.surfaces;
   VecX u = slider.shift({0.33 + 0.17 / cells, -1e-3});
   u.tail(2 * static_cast<Index>(surfaces.multiplier_space.nodes.size())).setConstant(-1e-3);
@@ -27,12 +27,12 @@ void multipliers(benchmark::State& state, contact::NegativeSide side) {
   slider.look(u);
   const auto rest = contact::multipliers_at_rest(surfaces);
   multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, rest);
-  const auto memory = multipliers.commit(surfaces, slider.search.positions(), rest).memory;
+  const auto past = multipliers.commit(surfaces, slider.search.positions(), rest).end;
   const auto displacements = 2 * slider.unknowns.displacements();
   u.head(displacements) = slider.shift({0.33 + 0.37 / cells, -1e-3}).head(displacements);
   slider.look(u);
   for (auto _ : state) {
-    multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, memory);
+    multipliers.run(surfaces, slider.search.positions(), slider.pairs, u, past);
     benchmark::DoNotOptimize(multipliers.conditions().data());
   }
   const auto points = static_cast<double>(slider.pairs.size());
@@ -43,7 +43,7 @@ BENCHMARK_CAPTURE(multipliers, one_side, contact::NegativeSide::Right)->Arg(20)-
 BENCHMARK_CAPTURE(multipliers, both_sides, contact::NegativeSide::Both)->Arg(20)->Arg(200);
 
 void mortar_segment(benchmark::State& state, contact::NegativeSide side) {
-  auto slider = with_hats(side, 20);
+  auto slider = with_multiplier_space(side, 20);
   slider.look(slider.shift({0.33, -1e-3}));
   const auto& at = slider.search.positions();
   const auto anchor_maps = contact::anchor_maps_at_rest(slider.surfaces);

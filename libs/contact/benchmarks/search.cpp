@@ -1,7 +1,7 @@
 // Search and pair forces of a crack through a square, after a slip of a third of its length.
 #include <benchmark/benchmark.h>
 
-#include "../tests/slider.hpp"
+#include "contact/tests/slider.hpp"
 
 namespace {
 
@@ -24,9 +24,9 @@ void pair_force(benchmark::State& state) {
   slider.look(slider.shift({0.33, -1e-3}));
   const Index p = 1;
   const auto points =
-      contact::pair_points(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.memory[p]);
+      contact::pair_points(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.past[p]);
   const auto constants =
-      contact::pair_constants(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.memory[p]);
+      contact::pair_constants(slider.surfaces, slider.search.positions(), p, slider.pairs[p], slider.past[p]);
   for (auto _ : state) {
     const auto s = contact::evaluate(points, constants);
     benchmark::DoNotOptimize(contact::force(points, constants, s));

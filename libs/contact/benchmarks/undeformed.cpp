@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "../tests/slider.hpp"
+#include "contact/tests/slider.hpp"
 
 namespace {
 
@@ -32,7 +32,7 @@ void force_undeformed(benchmark::State& state) {
   constexpr Index kPoint = 1;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        contact::force_undeformed(slider.surfaces, kPoint, slider.pairs[kPoint], slider.memory[kPoint]));
+        contact::force_undeformed(slider.surfaces, kPoint, slider.pairs[kPoint], slider.past[kPoint]));
 }
 BENCHMARK(force_undeformed);
 

@@ -41,29 +41,28 @@ Place anchor_at(const Surfaces& surfaces, const FacePositions& at, Index p, cons
 }
 
 // Where a point without an anchor takes hold: without tangential gap.
-void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, ContactState& memory) {
-  memory.anchor_face = pair.partner_face;
-  memory.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
+void take_hold(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair, ContactState& past) {
+  past.anchor_face = pair.partner_face;
+  past.anchor_place = surfaces.undeformed ? anchor_place_at(surfaces, at, p, 0.0) : pair.state.partner;
 }
 
 double mean(double a, double b) { return 0.5 * (a + b); }
 
 // The part of the increment over which the point presses if its normal gap changes evenly.
-double pressed_part(const Springs& springs, const PairState& now, const ContactState& memory) {
+double pressed_part(const Springs& springs, const PairState& now, const ContactState& past) {
   if (now.traction.status != Status::Open) return 1.0;
   const double pull = springs.normal * std::fmax(0.0, now.normal_gap);
-  return pull > memory.normal ? memory.normal / (memory.normal - pull) : 0.0;
+  return pull > past.normal ? past.normal / (past.normal - pull) : 0.0;
 }
 
 // Per unit of the ramp. What the springs would bear without sliding goes beyond the strength by what the slide takes
 // off.
-double friction_work(const InterfaceLaw& law, const Springs& springs, const PairState& now,
-                     const ContactState& memory) {
+double friction_work(const InterfaceLaw& law, const Springs& springs, const PairState& now, const ContactState& past) {
   if (now.traction.status == Status::Stick) return 0.0;
-  const double pressed = pressed_part(springs, now, memory);
-  const double trial = memory.tangential + pressed * (springs.tangential * now.tangential_gap - memory.tangential);
+  const double pressed = pressed_part(springs, now, past);
+  const double trial = past.tangential + pressed * (springs.tangential * now.tangential_gap - past.tangential);
   const double at_end = std::fabs(now.traction.tangential);
-  return friction_of({std::copysign(1.0, trial) * memory.tangential, strength(law, -memory.normal, memory.state).value,
+  return friction_of({std::copysign(1.0, trial) * past.tangential, strength(law, -past.normal, past.state).value,
                       at_end, springs.tangential, std::fmax(0.0, std::fabs(trial) - at_end) / springs.tangential});
 }
 
@@ -78,19 +77,19 @@ Vec2 to_partner(const FacePositions& at, const Point& point, const Pair& pair) {
 }  // namespace
 
 double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index p,
-                         const Pair& pair, const ContactState& memory) {
+                         const Pair& pair, const ContactState& past) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const Vec2 along = surfaces.undeformed ? Vec2(face.reference_end - face.reference_start)
                                          : Vec2(at.end[point.face] - at.start[point.face]);
   const double slide = (to_partner(at, point, pair) - to_partner(before, point, pair)).dot(along.normalized());
-  const Strength most = strength(surfaces.laws[face.crack], std::fabs(pair.state.traction.normal), memory.state);
-  return pair.state.ramp * touching_friction_of(most.value, std::fabs(slide));
+  const Strength limit = strength(surfaces.laws[face.crack], std::fabs(pair.state.traction.normal), past.state);
+  return pair.state.ramp * touching_friction_of(limit.value, std::fabs(slide));
 }
 
 // theory (7.7)
 CommittedPoint commit(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                      const ContactState& memory) {
+                      const ContactState& past) {
   const Point& point = surfaces.points[p];
   const Index crack = surfaces.faces[point.face].crack;
   const Springs& springs = surfaces.springs[crack];
@@ -99,43 +98,43 @@ CommittedPoint commit(const Surfaces& surfaces, const FacePositions& at, Index p
 
   if (pair.partner_face == kNone || now.ramp == 0.0) {
     ContactState gone;
-    gone.state = memory.state;
+    gone.state = past.state;
     gone.ramp = 0.0;
-    return {gone, 0.0, memory.ramp * springs.stored_energy(memory.normal, memory.tangential)};
+    return {gone, 0.0, past.ramp * springs.stored_energy(past.normal, past.tangential)};
   }
-  ContactState next = memory;
+  ContactState next = past;
   next.normal = tn;
   next.tangential = tt;
   next.ramp = now.ramp;
   next.slope = now.slope;
   CommittedPoint out{next};
-  out.pressure = mean(springs.stored_energy(tn, tt), springs.stored_energy(memory.normal, memory.tangential)) *
-                 (memory.ramp - now.ramp);
+  out.pressure =
+      mean(springs.stored_energy(tn, tt), springs.stored_energy(past.normal, past.tangential)) * (past.ramp - now.ramp);
   if (pair.anchored) {
-    const double slide = now.tangential_gap - memory.tangential / springs.tangential;
-    out.pressure += mean(now.ramp * tn * now.slope, memory.ramp * memory.normal * memory.slope) *
-                    pressed_part(springs, now, memory) * slide;
-    out.friction = mean(memory.ramp, now.ramp) * friction_work(surfaces.laws[crack], springs, now, memory);
+    const double slide = now.tangential_gap - past.tangential / springs.tangential;
+    out.pressure += mean(now.ramp * tn * now.slope, past.ramp * past.normal * past.slope) *
+                    pressed_part(springs, now, past) * slide;
+    out.friction = mean(past.ramp, now.ramp) * friction_work(surfaces.laws[crack], springs, now, past);
   }
   if (now.traction.status == Status::Open) {
-    out.memory.anchor_face = kNone;
-    out.memory.anchor_place = 0.0;
+    out.end.anchor_face = kNone;
+    out.end.anchor_place = 0.0;
   } else if (!pair.anchored) {
-    take_hold(surfaces, at, p, pair, out.memory);
+    take_hold(surfaces, at, p, pair, out.end);
   } else if (now.traction.status == Status::Slip) {
     const Place anchor = anchor_at(surfaces, at, p, pair, tt / springs.tangential);
-    out.memory.anchor_face = anchor.face;
-    out.memory.anchor_place = anchor.place;
-    out.memory.state = response(surfaces, p, pair, memory).end;
+    out.end.anchor_face = anchor.face;
+    out.end.anchor_place = anchor.place;
+    out.end.state = response(surfaces, p, pair, past).end;
   }
   return out;
 }
 
 ContactState follow(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                    const ContactState& memory) {
+                    const ContactState& past) {
   const PairState& now = pair.state;
   ContactState next;
-  next.state = memory.state;
+  next.state = past.state;
   next.ramp = pair.partner_face == kNone ? 0.0 : now.ramp;
   if (!presses(pair)) return next;
   if (pair.anchored && now.traction.status == Status::Slip) next.state.slip += std::fabs(now.tangential_gap);

@@ -106,13 +106,13 @@ class Integral {
         slope_(hat_.slope * (multipliers[1] - multipliers[0])),
         out_(out) {
     const auto& face = surfaces.faces[interval_part_.face];
-    const auto& hats = surfaces.multiplier_space;
-    const auto& interval = hats.intervals[interval_part_.interval];
-    const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
+    const auto& space = surfaces.multiplier_space;
+    const auto& interval = space.intervals[interval_part_.interval];
+    const double factor = interval.length / (space.nodes[interval.second].s - space.nodes[interval.first].s);
     const double length = length_at_rest(face);
     half_ = 0.5 * factor * length;
-    out_.length_ratio =
-        hats.on(partner) ? faces_.length_ratio(length, length_at_rest(surfaces.faces[partner])) : ValueAndGradient{1.0};
+    out_.length_ratio = space.on(partner) ? faces_.length_ratio(length, length_at_rest(surfaces.faces[partner]))
+                                          : ValueAndGradient{1.0};
     out_.value.setZero();
     out_.force_by.setZero();
     out_.node_by.setZero();

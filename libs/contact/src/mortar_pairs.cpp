@@ -155,12 +155,12 @@ std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const 
                                                 const std::vector<AnchorMap>& anchor_maps) {
   std::vector<MortarSegment> out;
   std::vector<Tile> tiles;
-  const auto& hats = surfaces.multiplier_space;
+  const auto& space = surfaces.multiplier_space;
   Index anchor_map = 0, point = 0;
   const auto points = static_cast<Index>(surfaces.points.size()),
              all_anchor_maps = static_cast<Index>(anchor_maps.size());
   for (Index f = 0; f < static_cast<Index>(surfaces.faces.size()); ++f) {
-    if (!hats.on(f)) continue;
+    if (!space.on(f)) continue;
     tiles.clear();
     while (point < points && surfaces.points[point].face < f) ++point;
     if (surfaces.undeformed) {
@@ -175,9 +175,9 @@ std::vector<MortarSegment> find_mortar_segments(const Surfaces& surfaces, const 
     while (anchor_map < all_anchor_maps && anchor_maps[anchor_map].face < f) ++anchor_map;
     Index end = anchor_map;
     while (end < all_anchor_maps && anchor_maps[end].face == f) ++end;
-    for (Index s = hats.first_part[f]; s < hats.first_part[f + 1]; ++s)
+    for (Index s = space.first_part[f]; s < space.first_part[f + 1]; ++s)
       for (const Tile& tile : tiles)
-        add_mortar_segments(anchor_maps, anchor_map, end, hats.interval_parts[s], s, tile, out);
+        add_mortar_segments(anchor_maps, anchor_map, end, space.interval_parts[s], s, tile, out);
   }
   return out;
 }

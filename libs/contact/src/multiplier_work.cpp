@@ -47,7 +47,7 @@ double gap_at(const FacePositions& at, const enrichment::Face& face, Index own, 
 }  // namespace
 
 MultiplierState Multipliers::remembered(const Surfaces& surfaces, const FacePositions& at) const {
-  const auto& hats = surfaces.multiplier_space;
+  const auto& space = surfaces.multiplier_space;
   MultiplierState out;
   const auto count = static_cast<Index>(nodes_.size());
   out.multiplier.resize(2 * count);
@@ -58,15 +58,15 @@ MultiplierState Multipliers::remembered(const Surfaces& surfaces, const FacePosi
     out.multiplier.segment<2>(2 * i) = node.traction();
     if (node.supported) out.mismatch[i] = node.past_mismatch.y() + node.beyond.y() / node.support;
   }
-  for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / hats.intervals[e].length);
+  for (std::size_t e = 0; e < covered_.size(); ++e) out.coverage.push_back(covered_[e] / space.intervals[e].length);
   out.anchor_maps = anchor_maps_of(surfaces, at, mortar_segments_);
   for (const auto& node : nodes_) out.smooth.push_back(node.smooth.x());
   out.stored = stored_energy(surfaces);
   out.slope.assign(nodes_.size(), 0.0);
   for (std::size_t o = 0; o < mortar_pairs_.size(); ++o) {
     const auto& [interval_part, partner, first, last] = mortar_pairs_[o];
-    const double slope = slope_of(surfaces, at, hats.interval_parts[interval_part].face, partner);
-    const auto ends = hats.ends(interval_part);
+    const double slope = slope_of(surfaces, at, space.interval_parts[interval_part].face, partner);
+    const auto ends = space.ends(interval_part);
     for (int k = 0; k < 2; ++k)
       if (nodes_[ends[k]].supported)
         out.slope[ends[k]] += slope * integrals_[o].value(kSupportOutput + k) / nodes_[ends[k]].support;
@@ -102,7 +102,7 @@ double Multipliers::smoothing_work(Index i, const MultiplierState& before) const
 // What lies opposite the end of the other face, and bears a pressure through a gap of either sign, is let go as that
 // end moves on: by t_N g_N per length. G misses it, since less of the face counts.
 double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const {
-  const auto& hats = surfaces.multiplier_space;
+  const auto& space = surfaces.multiplier_space;
   double out = 0.0;
   for (const auto& mortar_segment : mortar_segments_)
     for (const bool at_end : {false, true}) {
@@ -110,13 +110,13 @@ double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at
       if (!bound.by_partner || !is_free(surfaces.faces[mortar_segment.partner], bound)) continue;
       const auto old = place_before(surfaces, before.anchor_maps, mortar_segment.partner, bound.place);
       if (!old) continue;
-      const IntervalPart& interval_part = hats.interval_parts[mortar_segment.interval_part];
+      const IntervalPart& interval_part = space.interval_parts[mortar_segment.interval_part];
       const auto& face = surfaces.faces[interval_part.face];
       const double eta = at_end ? mortar_segment.end : mortar_segment.begin;
       const double moved = arc_length(face, eta) - *old;
       const double pressure = traction(surfaces, interval_part.face, eta).normal;
-      const auto& interval = hats.intervals[interval_part.interval];
-      const double factor = interval.length / (hats.nodes[interval.second].s - hats.nodes[interval.first].s);
+      const auto& interval = space.intervals[interval_part.interval];
+      const double factor = interval.length / (space.nodes[interval.second].s - space.nodes[interval.first].s);
       out += factor * (at_end ? -moved : moved) * pressure *
              gap_at(at, face, interval_part.face, eta, mortar_segment.partner, bound);
     }
@@ -127,15 +127,15 @@ double Multipliers::mouth_work(const Surfaces& surfaces, const FacePositions& at
 CommittedMultipliers Multipliers::commit(const Surfaces& surfaces, const FacePositions& at,
                                          const MultiplierState& before) const {
   CommittedMultipliers out{remembered(surfaces, at)};
-  out.pressure = before.stored - out.memory.stored + mouth_work(surfaces, at, before);
-  out.memory.state = before.state;
+  out.pressure = before.stored - out.end.stored + mouth_work(surfaces, at, before);
+  out.end.state = before.state;
   for (Index i = 0; i < static_cast<Index>(nodes_.size()); ++i) {
     if (nodes_[i].status == Status::Slip)
-      out.memory.state[i].slip += std::fabs(nodes_[i].plastic_slip) / surfaces.multiplier_space.nodes[i].length;
+      out.end.state[i].slip += std::fabs(nodes_[i].plastic_slip) / surfaces.multiplier_space.nodes[i].length;
     out.friction += friction_work(surfaces, i, before);
     out.pressure += smoothing_work(i, before);
     out.pressure +=
-        0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.memory.slope[i]);
+        0.5 * nodes_[i].slip * (before.multiplier[2 * i] * before.slope[i] + nodes_[i].normal * out.end.slope[i]);
   }
   return out;
 }

@@ -25,16 +25,16 @@ struct Kept {
 };
 
 Kept kept_of(double length, double covered, double past_coverage) {
-  const double now = covered / length, past = std::min(kCover, past_coverage);
-  if (now >= past) return {};
-  return {now / past, 1.0 / (past * length)};
+  const double now = covered / length, before = std::min(kCover, past_coverage);
+  if (now >= before) return {};
+  return {now / before, 1.0 / (before * length)};
 }
 
 // Whether a node sticks, from its trial (N/m). Who slides against the traction that it bears has to stick before it may
 // slide the other way: without that nodes would jump from one sense to the other and back. Without strength a traction
 // is rounding and says nothing.
-bool sticks(const NodeState& node, const Vec2& trial, double most, double at_own_pressure) {
-  if (std::fabs(trial.y()) <= most) return true;
+bool sticks(const NodeState& node, const Vec2& trial, double limit, double at_own_pressure) {
+  if (std::fabs(trial.y()) <= limit) return true;
   return at_own_pressure > 0.0 && trial.y() * node.tangential < 0.0 &&
          std::fabs(node.tangential) > 0.5 * at_own_pressure && node.normal < 0.0;
 }
@@ -80,29 +80,29 @@ class Multipliers::Rows {
 };
 
 // theory (8.4), (8.6)
-Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, const MultiplierState& memory) {
-  const auto& hats = surfaces.multiplier_space;
-  const auto& node = hats.nodes[i];
+Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, const MultiplierState& past) {
+  const auto& space = surfaces.multiplier_space;
+  const auto& node = space.nodes[i];
   const auto& mortar = mortar_of(surfaces, node);
   auto& s = nodes_[i];
   Smoothing out;
   for (int k = 0; k < 2; ++k) {
     const Index e = k == 0 ? node.before : node.after;
     if (e == kNone) continue;
-    const Index j = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
-    const Compliance soft = compliance(mortar, hats.intervals[e].length, covered_[e]);
-    s.leans = s.leans || covered_[e] < kCover * hats.intervals[e].length;
-    const Kept kept = s.supported ? kept_of(hats.intervals[e].length, covered_[e], memory.coverage[e]) : Kept{0.0, 0.0};
+    const Index j = k == 0 ? space.intervals[e].first : space.intervals[e].second;
+    const Compliance soft = compliance(mortar, space.intervals[e].length, covered_[e]);
+    s.leans = s.leans || covered_[e] < kCover * space.intervals[e].length;
+    const Kept kept = s.supported ? kept_of(space.intervals[e].length, covered_[e], past.coverage[e]) : Kept{0.0, 0.0};
     s.fades = s.fades || kept.by_cover > 0.0;
-    const Vec2 past(0.0, memory.multiplier[2 * i + 1] - memory.multiplier[2 * j + 1]);
-    const Vec2 difference = s.traction() - nodes_[j].traction() - kept.value * past;
+    const Vec2 past_difference(0.0, past.multiplier[2 * i + 1] - past.multiplier[2 * j + 1]);
+    const Vec2 difference = s.traction() - nodes_[j].traction() - kept.value * past_difference;
     out.value += soft.value * difference;
     out.by_own += soft.value;
     out.by_neighbour[k] = -soft.value;
-    out.by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past;
+    out.by_cover[k] = soft.by_cover * difference - soft.value * kept.by_cover * past_difference;
   }
   if (facing_.empty() || facing_[i].mortar_pair == kNone) return out;
-  s.past_mismatch = {0.0, memory.mismatch[i]};
+  s.past_mismatch = {0.0, past.mismatch[i]};
   s.beyond = s.support * (s.traction() - s.past_mismatch) - s.reach * facing_[i].traction;
   out.value += mortar.compliance * s.beyond;
   out.by_own += mortar.compliance * s.support;
@@ -111,11 +111,11 @@ Multipliers::Smoothing Multipliers::smooth(const Surfaces& surfaces, Index i, co
 }
 
 // theory (8.3)
-void Multipliers::choose_conditions(const Surfaces& surfaces, Index i, const MultiplierState& memory,
+void Multipliers::choose_conditions(const Surfaces& surfaces, Index i, const MultiplierState& past,
                                     Conditions conditions) {
   const auto& node = surfaces.multiplier_space.nodes[i];
   auto& s = nodes_[i];
-  const Smoothing smoothing = smooth(surfaces, i, memory);
+  const Smoothing smoothing = smooth(surfaces, i, past);
   Rows rows(s, smoothing, node.length, mortar_of(surfaces, node).scale, conditions_[i]);
   if (!reached_[i]) {  // the whole face has nothing opposite
     rows.bear_nothing(0);
@@ -133,14 +133,14 @@ void Multipliers::choose_conditions(const Surfaces& surfaces, Index i, const Mul
     rows.hold(0, s.gap);
     rows.hold(1, s.slip);
   } else {
-    choose_by_trial(surfaces, i, memory, rows);
+    choose_by_trial(surfaces, i, past, rows);
   }
 }
 
-void Multipliers::choose_by_trial(const Surfaces& surfaces, Index i, const MultiplierState& memory, Rows& rows) {
+void Multipliers::choose_by_trial(const Surfaces& surfaces, Index i, const MultiplierState& past, Rows& rows) {
   const auto& node = surfaces.multiplier_space.nodes[i];
   const double c = mortar_of(surfaces, node).scale, touch = c * surfaces.touch().length * node.length;
-  const bool held = memory.status[i] != Status::Open;
+  const bool held = past.status[i] != Status::Open;
   auto& s = nodes_[i];
   const Vec2 trial(node.length * s.normal + c * (s.gap - s.smooth.x()),
                    node.length * s.tangential + c * (s.slip - s.smooth.y()));
@@ -153,11 +153,11 @@ void Multipliers::choose_by_trial(const Surfaces& surfaces, Index i, const Multi
   s.status = Status::Stick;
   if (!held) return rows.bear_nothing(1);
   const auto strength_at = [&](double pressure) {
-    return strength(surfaces.laws[node.crack], pressure, memory.state[i]);
+    return strength(surfaces.laws[node.crack], pressure, past.state[i]);
   };
-  const double most = node.length * strength_at(std::max(0.0, -trial.x()) / node.length).value + touch;
+  const double limit = node.length * strength_at(std::max(0.0, -trial.x()) / node.length).value + touch;
   const Strength at_own = strength_at(-s.normal);
-  if (sticks(s, trial, most, at_own.value)) return rows.hold(1, s.slip);
+  if (sticks(s, trial, limit, at_own.value)) return rows.hold(1, s.slip);
   s.status = Status::Slip;
   s.slides = std::copysign(1.0, trial.y());
   rows.rub(s.slides, at_own);

@@ -85,11 +85,11 @@ void pass_mouth(const Surfaces& surfaces, const FacePositions& at, const PointRa
   const double overrun = -direction * (ray.y - end).dot(ray.t);
   if (overrun >= inner_share(point, ray.length, direction)) return;   // wholly past the end
   if (-overrun >= outer_share(point, ray.length, direction)) return;  // wholly before it
-  const bool past = overrun > 0.0;
-  if (past && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) return;
-  if (past) hit = {f, gap};
+  const bool beyond = overrun > 0.0;
+  if (beyond && (hit.face != kNone && std::fabs(hit.gap) < std::fabs(gap))) return;
+  if (beyond) hit = {f, gap};
   // a mouth ends the face that is opposite; behind another one it has no say
-  if (!past && !same_face(surfaces, f, at_end, hit.face)) return;
+  if (!beyond && !same_face(surfaces, f, at_end, hit.face)) return;
   pair.mouth_face = f;
   pair.mouth_at_end = at_end;
 }
@@ -110,15 +110,15 @@ void place_faces(const Surfaces& surfaces, const VecX& displacement, FacePositio
   }
 }
 
-void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<ContactState>& memory,
+void Search::run(const Surfaces& surfaces, const VecX& displacement, const std::vector<ContactState>& past,
                  double deepest, std::vector<Pair>& pairs) {
   place_faces(surfaces, displacement, positions_);
   pairs.resize(surfaces.points.size());
-  if (!surfaces.undeformed) return find_nearest(surfaces, memory, deepest, pairs);
-  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) pairs[p] = opposite(surfaces, positions_, p, memory[p]);
+  if (!surfaces.undeformed) return find_nearest(surfaces, past, deepest, pairs);
+  for (Index p = 0; p < static_cast<Index>(pairs.size()); ++p) pairs[p] = opposite(surfaces, positions_, p, past[p]);
 }
 
-void Search::find_nearest(const Surfaces& surfaces, const std::vector<ContactState>& memory, double deepest,
+void Search::find_nearest(const Surfaces& surfaces, const std::vector<ContactState>& past, double deepest,
                           std::vector<Pair>& pairs) {
   collect_partners(surfaces);
   const double radius =  // theory (6.2)
@@ -149,9 +149,9 @@ void Search::find_nearest(const Surfaces& surfaces, const std::vector<ContactSta
       continue;
     }
     pair.partner_face = hit.face;
-    pair.anchored = holds_on(surfaces, memory[p], hit.face);
-    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, memory[p]),
-                          pair_constants(surfaces, positions_, p, pair, memory[p]));
+    pair.anchored = holds_on(surfaces, past[p], hit.face);
+    pair.state = evaluate(pair_points(surfaces, positions_, p, pair, past[p]),
+                          pair_constants(surfaces, positions_, p, pair, past[p]));
   }
 }
 
@@ -171,30 +171,30 @@ void Search::collect_partners(const Surfaces& surfaces) {
   grid_.build(partner_start_, partner_end_);
 }
 
-ContactResponse response(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& memory) {
+ContactResponse response(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& past) {
   const Index crack = surfaces.faces[surfaces.points[p].face].crack;
   return respond(surfaces.laws[crack], surfaces.springs[crack],
-                 {pair.state.normal_gap, pair.state.tangential_gap, pair.anchored}, surfaces.touch(), memory.state);
+                 {pair.state.normal_gap, pair.state.tangential_gap, pair.anchored}, surfaces.touch(), past.state);
 }
 
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                       const ContactState& memory) {
+                       const ContactState& past) {
   const Index own = surfaces.points[p].face;
   PairPoints out{at.start[own], at.end[own], at.start[pair.partner_face], at.end[pair.partner_face],
                  Vec2::Zero(),  Vec2::Zero()};
-  if (const Index a = memory.anchor_face; a != kNone)
-    out.anchor = (1.0 - memory.anchor_place) * at.start[a] + memory.anchor_place * at.end[a];
+  if (const Index a = past.anchor_face; a != kNone)
+    out.anchor = (1.0 - past.anchor_place) * at.start[a] + past.anchor_place * at.end[a];
   if (const Index m = pair.mouth_face; m != kNone) out.mouth = pair.mouth_at_end ? at.end[m] : at.start[m];
   return out;
 }
 
 PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index p, const Pair& pair,
-                             const ContactState& memory) {
+                             const ContactState& past) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   PairConstants out{.law = surfaces.laws[face.crack],
                     .springs = surfaces.springs[face.crack],
-                    .begin = memory.state,
+                    .begin = past.state,
                     .touch = surfaces.touch(),
                     .weight = point.weight,
                     .eta = point.eta,

@@ -16,15 +16,15 @@ ContactResponse respond(const InterfaceLaw& law, const Springs& springs, const G
   out.stiffness.normal = springs.normal;
   if (!gaps.anchored) return out;
   const double trial = springs.tangential * gaps.tangential;
-  const Strength most = strength(law, std::fmax(0.0, -normal), begin);
-  if (std::fabs(trial) <= most.value + springs.tangential * touch.length) {
+  const Strength limit = strength(law, std::fmax(0.0, -normal), begin);
+  if (std::fabs(trial) <= limit.value + springs.tangential * touch.length) {
     out.traction.tangential = trial;
     out.stiffness.tangential = springs.tangential;
     return out;
   }
   out.traction.status = Status::Slip;
-  out.traction.tangential = std::copysign(most.value, gaps.tangential);
-  out.stiffness.by_normal = -std::copysign(most.by_pressure, out.traction.tangential);
+  out.traction.tangential = std::copysign(limit.value, gaps.tangential);
+  out.stiffness.by_normal = -std::copysign(limit.by_pressure, out.traction.tangential);
   out.end.slip += std::fabs(gaps.tangential - out.traction.tangential / springs.tangential);
   return out;
 }

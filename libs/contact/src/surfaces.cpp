@@ -53,10 +53,10 @@ std::vector<Point> place_points(const Surfaces& surfaces, int per_segment) {
 }
 
 std::vector<ContactState> contact_at_rest(const Surfaces& surfaces) {
-  std::vector<ContactState> memory;
-  memory.reserve(surfaces.points.size());
-  for (const auto& point : surfaces.points) memory.push_back({enrichment::opposite_face(point.face), point.eta});
-  return memory;
+  std::vector<ContactState> past;
+  past.reserve(surfaces.points.size());
+  for (const auto& point : surfaces.points) past.push_back({enrichment::opposite_face(point.face), point.eta});
+  return past;
 }
 
 }  // namespace cleft::contact

@@ -24,28 +24,28 @@ Vec2 jump(const Surfaces& surfaces, const FacePositions& at, Index p) {
 }  // namespace
 
 // theory (6.4)
-Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const ContactState& memory) {
+Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index p, const ContactState& past) {
   const Point& point = surfaces.points[p];
   const auto& face = surfaces.faces[point.face];
   const FixedFrame f = fixed_frame(face);
   const Vec2 d = jump(surfaces, at, p);
   Pair pair;
   pair.partner_face = enrichment::opposite_face(point.face);
-  pair.anchored = holds_on(surfaces, memory, pair.partner_face);
+  pair.anchored = holds_on(surfaces, past, pair.partner_face);
   PairState& s = pair.state;
   s.partner = point.eta;
   s.stretch_length = f.length;
   s.normal_gap = d.dot(f.n);
-  if (pair.anchored) s.tangential_gap = d.dot(f.t) + (memory.anchor_place - point.eta) * f.length;
-  s.traction = response(surfaces, p, pair, memory).traction;
+  if (pair.anchored) s.tangential_gap = d.dot(f.t) + (past.anchor_place - point.eta) * f.length;
+  s.traction = response(surfaces, p, pair, past).traction;
   return pair;
 }
 
-PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& memory) {
+PairForce force_undeformed(const Surfaces& surfaces, Index p, const Pair& pair, const ContactState& past) {
   const Point& point = surfaces.points[p];
   const FixedFrame f = fixed_frame(surfaces.faces[point.face]);
   const Traction& t0 = pair.state.traction;
-  const ContactResponse answer = response(surfaces, p, pair, memory);
+  const ContactResponse answer = response(surfaces, p, pair, past);
   const Stiffness& k0 = answer.stiffness;
   Mat2 stiffness = k0.normal * f.n * f.n.transpose();  // d t_0 / d jump
   if (k0.by_normal != 0.0) stiffness += k0.by_normal * k0.normal * f.t * f.n.transpose();

@@ -23,7 +23,7 @@ struct Place {
 
 // Five nodes on the lower face of a slider.
 struct Joint : Slider {
-  MultiplierState hats_memory;
+  MultiplierState multiplier_state;
 
   explicit Joint(double smoothing = 2.0, NegativeSide side = NegativeSide::Right) : Slider(side) {
     surfaces.laws[0] = Coulomb{kFriction};
@@ -34,7 +34,7 @@ struct Joint : Slider {
       if (surfaces.is_negative(surfaces.faces[f])) plan[f] = {0.25, factor};
     surfaces.multiplier_space = make_multiplier_space(surfaces.faces, plan);
     surfaces.first_multiplier = unknowns.count;
-    hats_memory = multipliers_at_rest(surfaces);
+    multiplier_state = multipliers_at_rest(surfaces);
   }
 
   Index nodes() const { return static_cast<Index>(surfaces.multiplier_space.nodes.size()); }
@@ -54,7 +54,7 @@ struct Joint : Slider {
     x << shift(place.by), place.tractions / kScale;
     look(x);
     Multipliers out;
-    out.run(surfaces, search.positions(), pairs, x, hats_memory);
+    out.run(surfaces, search.positions(), pairs, x, multiplier_state);
     return out;
   }
 };
@@ -67,12 +67,12 @@ void expect_derivative(Joint& joint, const Place& place, Index node) {
   const double step = 1e-8;
   const Multipliers here = joint.at(place), ahead = joint.at(place.moved(direction, step)),
                     behind = joint.at(place.moved(direction, -step));
-  const auto& hats = joint.surfaces.multiplier_space;
+  const auto& space = joint.surfaces.multiplier_space;
   const auto rate = [&](const auto& of) { return ((of(ahead) - of(behind)) / (2.0 * step)); };
   const auto cover = [&](const Multipliers& m, Index interval) {
     double out = 0.0;
     for (std::size_t o = 0; o < m.mortar_pairs().size(); ++o)
-      if (hats.interval_parts[m.mortar_pairs()[o].interval_part].interval == interval)
+      if (space.interval_parts[m.mortar_pairs()[o].interval_part].interval == interval)
         out += m.integrals()[o].value(kSupportOutput) + m.integrals()[o].value(kSupportOutput + 1);
     return out;
   };
@@ -88,9 +88,9 @@ void expect_derivative(Joint& joint, const Place& place, Index node) {
   Vec2 expected = condition.by_integral.cwiseProduct(integrals) + condition.by_beyond.cwiseProduct(beyond) +
                   condition.by_own * direction.tractions.segment<2>(2 * node) / kScale;
   for (int k = 0; k < 2; ++k) {
-    const Index e = k == 0 ? hats.nodes[node].before : hats.nodes[node].after;
+    const Index e = k == 0 ? space.nodes[node].before : space.nodes[node].after;
     if (e == kNone) continue;
-    const Index other = k == 0 ? hats.intervals[e].first : hats.intervals[e].second;
+    const Index other = k == 0 ? space.intervals[e].first : space.intervals[e].second;
     expected += condition.by_neighbour[k] * direction.tractions.segment<2>(2 * other) / kScale +
                 condition.by_cover[k] * rate([&](const auto& m) { return cover(m, e); });
   }
@@ -186,7 +186,7 @@ TEST(NodeCondition, NodeThatSlidOneWaySticksBeforeItSlidesTheOther) {
 
 TEST(NodeCondition, FirstTouchBearsPressureAlone) {
   Joint joint;
-  joint.hats_memory.status[kNode] = Status::Open;
+  joint.multiplier_state.status[kNode] = Status::Open;
   const Place place = joint.place({2e-3, -2e-5}, -1.0, 0.2);
   const auto m = joint.at(place);
   EXPECT_EQ(m.nodes()[kNode].status, Status::Stick);
@@ -197,7 +197,7 @@ TEST(NodeCondition, FirstTouchBearsPressureAlone) {
 TEST(NodeCondition, WhatStuckBeforeSmoothsTheChangeOfItsTractionOnly) {
   Joint joint;
   const Place place = joint.place({0.0, 0.0}, -1.0, 0.1);
-  joint.hats_memory.multiplier = place.tractions;
+  joint.multiplier_state.multiplier = place.tractions;
   EXPECT_NEAR(joint.at(place).conditions()[kNode].value.y(), 0.0, 1e-14);
   EXPECT_GT(std::fabs(smooth(joint, place, 1)), 1e-7);
   expect_derivative(joint, place, kNode);
@@ -210,11 +210,12 @@ TEST(NodeCondition, NothingThatSticksAsksForAChangeWhereNothingMoves) {
       for (const double along : {0.0, 0.11, 0.23, 0.26}) {
         Joint joint(smoothing, side);
         const Place place = joint.place({along, 0.0}, -1.0, 0.1);
-        joint.hats_memory = joint.at(place).commit(joint.surfaces, joint.search.positions(), joint.hats_memory).memory;
+        joint.multiplier_state =
+            joint.at(place).commit(joint.surfaces, joint.search.positions(), joint.multiplier_state).end;
         const auto m = joint.at(place);
         int seen = 0;
         for (Index i = 0; i < joint.nodes(); ++i) {
-          if (!m.nodes()[i].supported || joint.hats_memory.status[i] == Status::Open) continue;
+          if (!m.nodes()[i].supported || joint.multiplier_state.status[i] == Status::Open) continue;
           EXPECT_EQ(m.nodes()[i].status, Status::Stick);
           EXPECT_NEAR(m.conditions()[i].value.y(), 0.0, 1e-13) << along << ", node " << i;
           expect_derivative(joint, joint.place({along + 1e-4, 0.0}, -1.0, 0.1), i);
@@ -271,17 +272,17 @@ TEST(NodeCondition, NodeIsTiedToWhatTheOtherFaceBearsOppositeIt) {
   const double along = 0.11;
   const Place place = joint.place({along, 0.0}, -1.0, 0.1);
   const auto m = joint.at(place);
-  const auto& hats = joint.surfaces.multiplier_space;
+  const auto& space = joint.surfaces.multiplier_space;
   int seen = 0;
   for (Index i = 0; i < joint.nodes(); ++i) {
-    const auto& node = hats.nodes[i];
+    const auto& node = space.nodes[i];
     const bool upper = node.side == geometry::Side::Left;
     // beyond the end of the other face it is what the end bears
     const double there = std::clamp(node.s + (upper ? along : -along), 0.0, 1.0);
     Vec2 expected = Vec2::Zero();
     for (Index j = 0; j < joint.nodes(); ++j) {
-      const double hat = std::max(0.0, 1.0 - std::fabs(hats.nodes[j].s - there) / 0.25);
-      if (hats.nodes[j].side != node.side) expected += hat * Vec2(place.tractions[2 * j], -place.tractions[2 * j + 1]);
+      const double hat = std::max(0.0, 1.0 - std::fabs(space.nodes[j].s - there) / 0.25);
+      if (space.nodes[j].side != node.side) expected += hat * Vec2(place.tractions[2 * j], -place.tractions[2 * j + 1]);
     }
     const auto& facing = m.facing()[i];
     ASSERT_NE(facing.mortar_pair, kNone);
@@ -298,13 +299,13 @@ TEST(NodeCondition, NodeAtAVertexFacesTheSamePlaceInAReversedCrack) {
   // Nodes lie at vertices of both faces here: the spacing is a multiple of the elements.
   Joint joint(2.0, NegativeSide::Both);
   const auto m = joint.at(joint.place({0.1, 0.0}, -1.0, 0.1));
-  const auto& hats = joint.surfaces.multiplier_space;
+  const auto& space = joint.surfaces.multiplier_space;
   int judged = 0;
   for (Index i = 0; i < joint.nodes(); ++i) {
-    const auto& node = hats.nodes[i];
+    const auto& node = space.nodes[i];
     if (node.s < 0.2 || node.s > 0.8) continue;
     const auto& face =
-        joint.surfaces.faces[hats.interval_parts[m.mortar_pairs()[m.facing()[i].mortar_pair].interval_part].face];
+        joint.surfaces.faces[space.interval_parts[m.mortar_pairs()[m.facing()[i].mortar_pair].interval_part].face];
     // seen along the body's own boundary, on either side of the crack: the segment on the same hand
     EXPECT_NEAR(node.side == geometry::Side::Left ? face.s_start : face.s_end, node.s, 1e-12);
     ++judged;

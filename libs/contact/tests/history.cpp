@@ -36,7 +36,7 @@ class History : public testing::TestWithParam<NegativeSide> {
 INSTANTIATE_TEST_SUITE_P(Sides, History, testing::Values(NegativeSide::Left, NegativeSide::Right));
 
 TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
-  const auto rest = s.memory;
+  const auto rest = s.past;
   go(0.6 * kElastic);
   each([&](std::size_t p) {
     EXPECT_EQ(s.pairs[p].state.traction.status, Status::Stick);
@@ -44,9 +44,9 @@ TEST_P(History, SticksElasticallyAndKeepsItsAnchor) {
   });
   s.commit();
   each([&](std::size_t p) {
-    EXPECT_EQ(s.memory[p].anchor_face, rest[p].anchor_face);
-    EXPECT_EQ(s.memory[p].anchor_place, rest[p].anchor_place);
-    EXPECT_EQ(s.memory[p].state.slip, 0.0);
+    EXPECT_EQ(s.past[p].anchor_face, rest[p].anchor_face);
+    EXPECT_EQ(s.past[p].anchor_place, rest[p].anchor_place);
+    EXPECT_EQ(s.past[p].state.slip, 0.0);
   });
 }
 
@@ -54,17 +54,16 @@ TEST_P(History, OnlyWhatHasConvergedChangesTheStateOfTheLaw) {
   for (const double along : {0.1, 0.05}) {  // two iterates of one increment
     go(along);
     each([&](std::size_t p) {
-      EXPECT_EQ(s.memory[p].state.slip, 0.0);
-      EXPECT_NEAR(response(s.surfaces, static_cast<Index>(p), s.pairs[p], s.memory[p]).end.slip, along - kElastic,
-                  1e-12);
+      EXPECT_EQ(s.past[p].state.slip, 0.0);
+      EXPECT_NEAR(response(s.surfaces, static_cast<Index>(p), s.pairs[p], s.past[p]).end.slip, along - kElastic, 1e-12);
     });
   }
   s.commit();
-  each([&](std::size_t p) { EXPECT_NEAR(s.memory[p].state.slip, 0.05 - kElastic, 1e-12); });
+  each([&](std::size_t p) { EXPECT_NEAR(s.past[p].state.slip, 0.05 - kElastic, 1e-12); });
 }
 
 TEST_P(History, AnAnchorOnAnotherCrackHoldsNothing) {
-  for (auto& memory : s.memory) memory.anchor_face = static_cast<Index>(s.surfaces.faces.size());
+  for (auto& past : s.past) past.anchor_face = static_cast<Index>(s.surfaces.faces.size());
   auto elsewhere = s.surfaces.faces.front();
   elsewhere.crack = 1;
   s.surfaces.faces.push_back(elsewhere);
@@ -77,7 +76,7 @@ TEST_P(History, AnAnchorOnAnotherCrackHoldsNothing) {
     EXPECT_EQ(tangential(p), 0.0);
   });
   s.commit();
-  each([&](std::size_t p) { EXPECT_EQ(s.memory[p].anchor_face, s.pairs[p].partner_face) << "it takes hold anew"; });
+  each([&](std::size_t p) { EXPECT_EQ(s.past[p].anchor_face, s.pairs[p].partner_face) << "it takes hold anew"; });
 }
 
 TEST_P(History, AReversalUnloadsFromTheTractionReachedAndSlidesBackAfterTwiceTheElasticGap) {
@@ -117,13 +116,13 @@ TEST_P(History, ALongElasticGapPutsTheAnchorManySegmentsBack) {
   s.commit();
   each([&](std::size_t p) {
     const auto& point = s.surfaces.points[p];
-    const auto &own = s.surfaces.faces[point.face], &face = s.surfaces.faces[s.memory[p].anchor_face];
+    const auto &own = s.surfaces.faces[point.face], &face = s.surfaces.faces[s.past[p].anchor_face];
     const double here = own.s_start + point.eta * (own.s_end - own.s_start);
-    const double anchor = face.s_start + s.memory[p].anchor_place * (face.s_end - face.s_start);
+    const double anchor = face.s_start + s.past[p].anchor_place * (face.s_end - face.s_start);
     EXPECT_NEAR(anchor, here - sense * (0.15 - 0.125), 1e-12);
-    EXPECT_GE(s.memory[p].anchor_place, 0.0);
-    EXPECT_LE(s.memory[p].anchor_place, 1.0);
-    EXPECT_NEAR(s.memory[p].state.slip, 0.025, 1e-12);
+    EXPECT_GE(s.past[p].anchor_place, 0.0);
+    EXPECT_LE(s.past[p].anchor_place, 1.0);
+    EXPECT_NEAR(s.past[p].state.slip, 0.025, 1e-12);
   });
 }
 
@@ -134,16 +133,16 @@ TEST_P(History, SteadySlidingDissipatesStrengthTimesSlipHoweverItIsDivided) {
     go(0.05);
     s.commit();
     std::vector<double> work(s.pairs.size(), 0.0), before(s.pairs.size());
-    for (std::size_t p = 0; p < s.pairs.size(); ++p) before[p] = s.memory[p].state.slip;
+    for (std::size_t p = 0; p < s.pairs.size(); ++p) before[p] = s.past[p].state.slip;
     for (int k = 1; k <= increments; ++k) {
       go(0.05 + 0.1 * k / increments);
       for (std::size_t p = 0; p < s.pairs.size(); ++p)
-        work[p] += commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction;
+        work[p] += commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]).friction;
       s.commit();
     }
     each([&](std::size_t p) {
       EXPECT_NEAR(work[p], kStrength * 0.1, 1e-12);
-      EXPECT_NEAR(s.memory[p].state.slip - before[p], 0.1, 1e-12);
+      EXPECT_NEAR(s.past[p].state.slip - before[p], 0.1, 1e-12);
     });
   }
 }
@@ -153,7 +152,7 @@ TEST_P(History, DissipationTakesTheMeanOfTractionsWhileSlidingGoesOnAndTheLastOn
     s.look(s.shift({along, -deep}));
     std::vector<double> work;
     for (std::size_t p = 0; p < s.pairs.size(); ++p)
-      work.push_back(commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]).friction);
+      work.push_back(commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]).friction);
     s.commit();
     return work;
   };
@@ -172,7 +171,7 @@ TEST_P(History, APointThatSticksFirstSlidesAtTheStrengthFromThereOn) {
   const double below = 0.5 * kStrength, beyond = 0.5 * kStrength + kTangential * slide - 3 * kStrength;
   const double at_onset = kStrength * (1.0 + 2.0 * below / (below + 0.03 * beyond));  // the body is softer
   each([&](std::size_t p) {
-    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]);
     EXPECT_NEAR(next.friction, 0.5 * (at_onset + 3 * kStrength) * beyond / kTangential, 1e-12);
   });
 }
@@ -182,13 +181,13 @@ TEST_P(History, APointThatOpensSlidesUntilItOpens) {
   s.commit();
   s.look(s.shift({0.12, kDeep}));  // opens in the middle of the increment
   each([&](std::size_t p) {
-    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+    const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]);
     EXPECT_NEAR(next.friction, 0.5 * kStrength * (0.01 + kElastic), 1e-12);
     EXPECT_NEAR(next.pressure, 0.0, 1e-12);
   });
   s.surfaces.laws[0] = Coulomb{0.0};
   each([&](std::size_t p) {
-    auto smooth = s.memory[p];
+    auto smooth = s.past[p];
     smooth.tangential = 0.0;
     EXPECT_EQ(commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], smooth).friction, 0.0);
   });
@@ -202,7 +201,7 @@ TEST_P(History, APointThatTouchesHasSlidOverHalfOfTheIncrement) {
   each([&](std::size_t p) {
     EXPECT_EQ(tangential(p), 0.0);
     EXPECT_NEAR(
-        touching_friction(s.surfaces, apart, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]),
+        touching_friction(s.surfaces, apart, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]),
         0.5 * kStrength * 0.02, 1e-12);
   });
 }
@@ -213,9 +212,9 @@ TEST_P(History, DissipationIsNeverNegativeToAndFro) {
     place += 0.02 * std::sin(1.7 * k) * std::cos(0.3 * k);
     go(place);
     each([&](std::size_t p) {
-      const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
+      const auto next = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]);
       EXPECT_GE(next.friction, 0.0);
-      EXPECT_GE(next.memory.state.slip, s.memory[p].state.slip);
+      EXPECT_GE(next.end.state.slip, s.past[p].state.slip);
       total += next.friction;
     });
     s.commit();
@@ -236,20 +235,20 @@ TEST_P(History, RigidTurnsBetweenAllIncrementsChangeNothing) {
     });
     s.commit();
     turned.commit();
-    each([&](std::size_t p) { EXPECT_NEAR(turned.memory[p].state.slip, s.memory[p].state.slip, 1e-12); });
+    each([&](std::size_t p) { EXPECT_NEAR(turned.past[p].state.slip, s.past[p].state.slip, 1e-12); });
   }
 }
 
 TEST_P(History, OpeningForgetsTheAnchorButNotTheSlip) {
   go(0.1);
   s.commit();
-  const auto slid = s.memory;
+  const auto slid = s.past;
   s.look(s.shift({0.1, kDeep}));
   s.commit();
   each([&](std::size_t p) {
-    EXPECT_EQ(s.memory[p].anchor_face, kNone);
-    EXPECT_EQ(s.memory[p].tangential, 0.0);
-    EXPECT_EQ(s.memory[p].state.slip, slid[p].state.slip);
+    EXPECT_EQ(s.past[p].anchor_face, kNone);
+    EXPECT_EQ(s.past[p].tangential, 0.0);
+    EXPECT_EQ(s.past[p].state.slip, slid[p].state.slip);
   });
   go(0.13);
   s.commit();

@@ -10,11 +10,11 @@ namespace cleft::contact {
 namespace {
 
 constexpr int kAnchorInput = kMortarInputs, kAllInputs = kMortarInputs + 4;  // the ends of the anchor's face, too
-using OverlapInputs = Eigen::Matrix<double, kAllInputs, 1>;
-using OverlapOutputs = Eigen::Matrix<double, kMortarOutputs, 1>;
+using MortarInputsVector = Eigen::Matrix<double, kAllInputs, 1>;
+using MortarOutputsVector = Eigen::Matrix<double, kMortarOutputs, 1>;
 
 // Two blocks that have slid, turned and warped, on anchors left behind at a smaller slip.
-class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
+class MortarIntegral : public testing::TestWithParam<std::tuple<NegativeSide, bool>> {
  protected:
   Slider slider{std::get<0>(GetParam())};
   FacePositions at;
@@ -25,7 +25,7 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
   void SetUp() override {
     Surfaces& surfaces = slider.surfaces;
     surfaces.undeformed = std::get<1>(GetParam());
-    slider.give_hats(0.083);
+    slider.add_multiplier_space(0.083);
     slider.look(slider.shift({0.21, -1e-3}));
     at = slider.search.positions();
     anchor_maps =
@@ -45,11 +45,11 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
     return slider.surfaces.multiplier_space.interval_parts[mortar_segment.interval_part].face;
   }
 
-  OverlapInputs inputs(const MortarSegment& mortar_segment) const {
-    const auto& hats = slider.surfaces.multiplier_space;
-    OverlapInputs x = OverlapInputs::Zero();
+  MortarInputsVector inputs(const MortarSegment& mortar_segment) const {
+    const auto& space = slider.surfaces.multiplier_space;
+    MortarInputsVector x = MortarInputsVector::Zero();
     const auto add_face = [&](int k, Index f) { x.segment<4>(k) << at.start[f], at.end[f]; };
-    const auto ends = hats.ends(mortar_segment.interval_part);
+    const auto ends = space.ends(mortar_segment.interval_part);
     add_face(0, face_of(mortar_segment));
     add_face(4, mortar_segment.partner);
     x.segment<4>(kNodeInputs) << traction[ends[0]], traction[ends[1]];
@@ -63,7 +63,7 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
   };
 
   // Over a single mortar segment.
-  Integrals integrals(const MortarSegment& mortar_segment, const OverlapInputs& x) const {
+  Integrals integrals(const MortarSegment& mortar_segment, const MortarInputsVector& x) const {
     FacePositions moved = at;
     std::vector<AnchorMap> anchor_map = anchor_maps;
     const auto put = [&](int k, Index f) { moved.start[f] = x.segment<2>(k), moved.end[f] = x.segment<2>(k + 2); };
@@ -82,26 +82,26 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
   }
 
   // By the definitions, at the middles of many parts.
-  OverlapOutputs summed(const MortarSegment& mortar_segment, int parts) const {
+  MortarOutputsVector summed(const MortarSegment& mortar_segment, int parts) const {
     const auto& surfaces = slider.surfaces;
-    const auto& hats = surfaces.multiplier_space;
-    const auto& interval_part = hats.interval_parts[mortar_segment.interval_part];
+    const auto& space = surfaces.multiplier_space;
+    const auto& interval_part = space.interval_parts[mortar_segment.interval_part];
     const auto& face = surfaces.faces[interval_part.face];
-    const auto& interval = hats.intervals[interval_part.interval];
+    const auto& interval = space.intervals[interval_part.interval];
     const Vec2 a = at.start[interval_part.face], b = at.end[interval_part.face], c = at.start[mortar_segment.partner],
                d = at.end[mortar_segment.partner];
     const Vec2 reference = face.reference_end - face.reference_start;
     const Vec2 t = (surfaces.undeformed ? reference : Vec2(b - a)).normalized();
     const Vec2 n = face.normal_sign() * turn_left(t);
     const double both = std::get<0>(GetParam()) == NegativeSide::Both ? 0.5 : 1.0;
-    OverlapOutputs out = OverlapOutputs::Zero();
+    MortarOutputsVector out = MortarOutputsVector::Zero();
     for (int k = 0; k < parts; ++k) {
       const double eta = mortar_segment.begin + (k + 0.5) / parts * (mortar_segment.end - mortar_segment.begin);
       const double ds = both * reference.norm() * (mortar_segment.end - mortar_segment.begin) / parts;
       const Vec2 y = a + eta * (b - a);
       const double xi = surfaces.undeformed ? eta : (y - c).dot(t) / (d - c).dot(t);
       const Vec2 gap = c + xi * (d - c) - y;
-      const double second = hats.second_hat(face, interval_part, eta);
+      const double second = space.second_hat(face, interval_part, eta);
       const Vec2 l = (1.0 - second) * traction[interval.first] + second * traction[interval.second];
       const Vec2 pull = ds * (l.x() * n + l.y() * t);
       out.segment<2>(0) -= (1.0 - eta) * pull;
@@ -131,14 +131,14 @@ class OverlapIntegral : public testing::TestWithParam<std::tuple<NegativeSide, b
     return out;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Sides, OverlapIntegral,
+INSTANTIATE_TEST_SUITE_P(Sides, MortarIntegral,
                          testing::Combine(testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both),
                                           testing::Bool()));
 
-TEST_P(OverlapIntegral, IsTheSumOverManyPoints) {
+TEST_P(MortarIntegral, IsTheSumOverManyPoints) {
   ASSERT_GT(mortar_segments.size(), 40U);
   for (const MortarSegment& mortar_segment : mortar_segments) {
-    const OverlapOutputs exact = integrals(mortar_segment, inputs(mortar_segment)).sums.value;
+    const MortarOutputsVector exact = integrals(mortar_segment, inputs(mortar_segment)).sums.value;
     const double far = (exact - summed(mortar_segment, 100)).cwiseAbs().maxCoeff(),
                  near = (exact - summed(mortar_segment, 200)).cwiseAbs().maxCoeff();
     EXPECT_LE(far, 1e-4 * exact.cwiseAbs().maxCoeff());
@@ -146,7 +146,7 @@ TEST_P(OverlapIntegral, IsTheSumOverManyPoints) {
   }
 }
 
-TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
+TEST_P(MortarIntegral, IsTheSumOverItsPieces) {
   const auto mortar_pairs = mortar_pairs_of(mortar_segments);
   Index next = 0, several = 0;
   for (const MortarPair& mortar_pair : mortar_pairs) {
@@ -159,7 +159,7 @@ TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
     MortarIntegrals whole;
     std::vector<SlipByAnchor> by_anchor(count);
     integrate(slider.surfaces, at, anchor_maps, own, {traction[ends[0]], traction[ends[1]]}, whole, by_anchor);
-    OverlapOutputs value = OverlapOutputs::Zero();
+    MortarOutputsVector value = MortarOutputsVector::Zero();
     auto force_by = (0.0 * whole.force_by).eval();
     auto node_by = (0.0 * whole.node_by).eval();
     for (std::size_t p = 0; p < count; ++p) {
@@ -181,14 +181,14 @@ TEST_P(OverlapIntegral, IsTheSumOverItsPieces) {
   EXPECT_EQ(several > 0, !slider.surfaces.undeformed);
 }
 
-TEST_P(OverlapIntegral, HasExactDerivatives) {
+TEST_P(MortarIntegral, HasExactDerivatives) {
   int moving = 0, anchored = 0, other = 0;
   for (const MortarSegment& mortar_segment : mortar_segments) {
     moving += mortar_segment.begin_at.by_partner || mortar_segment.end_at.by_partner;
     anchored += mortar_segment.anchor_map != kNone;
-    const bool hats_opposite = slider.surfaces.multiplier_space.on(mortar_segment.partner);
-    other += hats_opposite;
-    const OverlapInputs x = inputs(mortar_segment);
+    const bool has_multipliers_opposite = slider.surfaces.multiplier_space.on(mortar_segment.partner);
+    other += has_multipliers_opposite;
+    const MortarInputsVector x = inputs(mortar_segment);
     const auto exact = integrals(mortar_segment, x);
     Eigen::Matrix<double, kMortarOutputs, kAllInputs> derivative;
     derivative.setZero();
@@ -197,13 +197,13 @@ TEST_P(OverlapIntegral, HasExactDerivatives) {
     for (int k = 0; k < 2; ++k) derivative.block<1, 4>(kGapOutput + 2 * k + 1, kAnchorInput) = exact.by_anchor.row(k);
     for (int k = 0; k < kAllInputs; ++k) {
       const double step = k >= kNodeInputs && k < kAnchorInput ? 1e-3 : 1e-7;
-      OverlapInputs plus = x, minus = x;
+      MortarInputsVector plus = x, minus = x;
       plus(k) += step;
       minus(k) -= step;
       const auto up = integrals(mortar_segment, plus).sums, down = integrals(mortar_segment, minus).sums;
-      const OverlapOutputs difference = (up.value - down.value) / (2.0 * step);
+      const MortarOutputsVector difference = (up.value - down.value) / (2.0 * step);
       EXPECT_LE((difference - derivative.col(k)).cwiseAbs().maxCoeff(), 1e-7) << "input " << k;
-      if (!hats_opposite || k >= kNodeInputs) continue;
+      if (!has_multipliers_opposite || k >= kNodeInputs) continue;
       EXPECT_NEAR((up.length_ratio.value - down.length_ratio.value) / (2.0 * step), exact.sums.length_ratio.by(k),
                   1e-7);
     }
@@ -214,7 +214,7 @@ TEST_P(OverlapIntegral, HasExactDerivatives) {
 }
 
 // Reference lengths that lie opposite each other, by where neighbouring places have their partners.
-TEST_P(OverlapIntegral, PlacesOppositeMoveByTheRatioOfLengths) {
+TEST_P(MortarIntegral, PlacesOppositeMoveByTheRatioOfLengths) {
   const auto& surfaces = slider.surfaces;
   int judged = 0;
   for (const MortarSegment& mortar_segment : mortar_segments) {
@@ -234,17 +234,17 @@ TEST_P(OverlapIntegral, PlacesOppositeMoveByTheRatioOfLengths) {
   EXPECT_EQ(judged > 40, std::get<0>(GetParam()) == NegativeSide::Both);
 }
 
-TEST_P(OverlapIntegral, PlaceOppositeHasExactDerivatives) {
+TEST_P(MortarIntegral, PlaceOppositeHasExactDerivatives) {
   const auto& surfaces = slider.surfaces;
   for (const MortarSegment& mortar_segment : mortar_segments) {
     const Index f = face_of(mortar_segment), g = mortar_segment.partner;
     const double eta = 0.5 * (mortar_segment.begin + mortar_segment.end);
     const ValueAndGradient exact = place_opposite(surfaces, at, f, g, eta);
-    const OverlapInputs x = inputs(mortar_segment);
+    const MortarInputsVector x = inputs(mortar_segment);
     EXPECT_EQ(exact.by.isZero(0.0), surfaces.undeformed) << "at small strain it is the place itself";
     for (int k = 0; k < kNodeInputs; ++k) {
       const auto moved = [&](double step) {
-        OverlapInputs there = x;
+        MortarInputsVector there = x;
         there(k) += step;
         FacePositions to = at;
         to.start[f] = there.segment<2>(0), to.end[f] = there.segment<2>(2);

@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kPressing = 1.0, kRough = 0.5;
 
-class HatWork : public testing::TestWithParam<NegativeSide> {
+class MultiplierWork : public testing::TestWithParam<NegativeSide> {
  protected:
   Slider s{GetParam()};
   MultiplierState before;
 
-  HatWork() {
+  MultiplierWork() {
     s.surfaces.laws[0] = Coulomb{kRough};
-    s.give_hats(0.25);
+    s.add_multiplier_space(0.25);
     before = multipliers_at_rest(s.surfaces);
   }
   // How the traction that resists a slide of the upper block to the right is counted on the face of a node.
@@ -38,20 +38,21 @@ class HatWork : public testing::TestWithParam<NegativeSide> {
     return now.commit(s.surfaces, s.search.positions(), before);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Sides, HatWork, testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
+INSTANTIATE_TEST_SUITE_P(Sides, MultiplierWork,
+                         testing::Values(NegativeSide::Left, NegativeSide::Right, NegativeSide::Both));
 
-TEST_P(HatWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
+TEST_P(MultiplierWork, OfSlidingIsTheMeanStrengthTimesTheSlip) {
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressing, kRough * kPressing);
   const auto steady = advanced({0.03, 0.0}, before.multiplier);
   EXPECT_NEAR(steady.friction, kRough * kPressing * 0.03 * 0.97, 1e-12) << "of what is still opposite";
   EXPECT_NEAR(steady.pressure, 0.0, 1e-12) << "the faces are parallel";
-  EXPECT_NEAR(steady.memory.stored, 0.0, 1e-12) << "tractions are uniform";
+  EXPECT_NEAR(steady.end.stored, 0.0, 1e-12) << "tractions are uniform";
   const auto harder = advanced({0.03, 0.0}, tractions(-3.0 * kPressing, 3.0 * kRough * kPressing));
   EXPECT_NEAR(harder.friction, 2.0 * kRough * kPressing * 0.03 * 0.97, 1e-12);
 }
 
-TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
+TEST_P(MultiplierWork, OnlyASlideAddsToTheStateOfTheLaw) {
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressing, kRough * kPressing);
   for (auto& state : before.state) state.slip = 0.2;
@@ -59,14 +60,14 @@ TEST_P(HatWork, OnlyASlideAddsToTheStateOfTheLaw) {
   double length = 0.0, sum = 0.0;
   for (std::size_t i = 0; i < before.state.size(); ++i) {
     EXPECT_EQ(before.state[i].slip, 0.2);
-    EXPECT_EQ(stuck.memory.state[i].slip, 0.2);
+    EXPECT_EQ(stuck.end.state[i].slip, 0.2);
     length += s.surfaces.multiplier_space.nodes[i].length;
-    sum += s.surfaces.multiplier_space.nodes[i].length * (slid.memory.state[i].slip - 0.2);
+    sum += s.surfaces.multiplier_space.nodes[i].length * (slid.end.state[i].slip - 0.2);
   }
   EXPECT_NEAR(sum, 0.03 * 0.97 * length, 1e-12) << "of what is still opposite";
 }
 
-TEST_P(HatWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
+TEST_P(MultiplierWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
   constexpr double kApart = 1e-4;  // how far the faces that bear it are apart
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressing, kRough * kPressing);
@@ -74,24 +75,24 @@ TEST_P(HatWork, OfThePressureIsLostWhereTheEndOfTheOtherFaceLetsGo) {
   EXPECT_NEAR(advanced({0.03, -kApart}, before.multiplier).pressure, 0.03 * kPressing * kApart, 1e-13);
 }
 
-TEST_P(HatWork, OfFacesThatStickIsNothing) {
+TEST_P(MultiplierWork, OfFacesThatStickIsNothing) {
   before.multiplier = tractions(-kPressing, 0.0);
   const auto stick = advanced({0.0, 0.0}, tractions(-kPressing, 0.3 * kRough));
   EXPECT_EQ(stick.friction, 0.0);
   EXPECT_NEAR(stick.pressure, 0.0, 1e-12);
 }
 
-TEST_P(HatWork, OfFacesThatPartWithoutFrictionIsNothing) {
+TEST_P(MultiplierWork, OfFacesThatPartWithoutFrictionIsNothing) {
   s.surfaces.laws[0] = Coulomb{0.0};
   before.status.assign(before.status.size(), Status::Slip);
   before.multiplier = tractions(-kPressing, 0.0);
   const auto apart = advanced({0.02, 0.01}, tractions(0.0, 0.0));
   EXPECT_EQ(apart.friction, 0.0);
   EXPECT_EQ(apart.pressure, 0.0);
-  EXPECT_EQ(apart.memory.stored, 0.0);
+  EXPECT_EQ(apart.end.stored, 0.0);
 }
 
-TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
+TEST_P(MultiplierWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
   const double most = 0.5 * kRough * kPressing * 0.02 * 0.98;  // the strength falls to 0
   const Vec2 just_open(0.02, 1e-9);
   before.multiplier = tractions(-kPressing, kRough * kPressing);
@@ -102,7 +103,7 @@ TEST_P(HatWork, OfFacesThatPartIsThatOfTheSlideWhichRelievesThem) {
   EXPECT_LT(sticks_first, 0.9 * most);
 }
 
-TEST_P(HatWork, OfFacesThatTouchIsThatOfHalfOfTheirSlide) {
+TEST_P(MultiplierWork, OfFacesThatTouchIsThatOfHalfOfTheirSlide) {
   before.status.assign(before.status.size(), Status::Open);
   const auto touching = advanced({0.04, 0.0}, tractions(-kPressing, 0.0));
   EXPECT_NEAR(touching.friction, 0.5 * kRough * kPressing * 0.02 * 0.96, 1e-12);

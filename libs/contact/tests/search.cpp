@@ -15,7 +15,7 @@ using geometry::Side;
 
 struct Layout {
   Surfaces surfaces;
-  std::vector<ContactState> memory;
+  std::vector<ContactState> past;
   Search search;
   std::vector<Pair> pairs;
 
@@ -48,8 +48,8 @@ struct Layout {
 
   const Pair& look(double deepest = 0.0) {
     surfaces.points = place_points(surfaces, 1);
-    memory.assign(surfaces.points.size(), {});
-    search.run(surfaces, VecX::Zero(2), memory, deepest, pairs);
+    past.assign(surfaces.points.size(), {});
+    search.run(surfaces, VecX::Zero(2), past, deepest, pairs);
     return pairs.front();
   }
 };

@@ -14,7 +14,7 @@ struct Slider {
   Surfaces surfaces;
   Search search;
   std::vector<Pair> pairs;
-  std::vector<ContactState> memory;
+  std::vector<ContactState> past;
 
   explicit Slider(NegativeSide side, int cells_along = 20)
       : mesh(geometry::structured_mesh({0, 0, 1, 1}, {cells_along, 5}, geometry::Diagonal::Right)),
@@ -26,11 +26,11 @@ struct Slider {
     surfaces.sides = {side};
     surfaces.element_size = 0.1;
     surfaces.points = place_points(surfaces, 2);
-    memory = contact_at_rest(surfaces);
+    past = contact_at_rest(surfaces);
   }
 
   // Mortar contact, with hat functions on the faces that carry the quadrature.
-  void give_hats(double spacing) {
+  void add_multiplier_space(double spacing) {
     constexpr double kScale = 1e3;
     surfaces.mortar = {{true, 1.0, 1.0, kScale, 1.0 / kScale}};
     const double factor = surfaces.sides[0] == NegativeSide::Both ? 0.5 : 1.0;
@@ -57,10 +57,10 @@ struct Slider {
     return u;
   }
 
-  void look(const VecX& u) { search.run(surfaces, u, memory, 0.0, pairs); }
+  void look(const VecX& u) { search.run(surfaces, u, past, 0.0, pairs); }
   void commit() {
     for (std::size_t p = 0; p < pairs.size(); ++p)
-      memory[p] = contact::commit(surfaces, search.positions(), static_cast<Index>(p), pairs[p], memory[p]).memory;
+      past[p] = contact::commit(surfaces, search.positions(), static_cast<Index>(p), pairs[p], past[p]).end;
   }
 };
 

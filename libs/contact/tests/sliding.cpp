@@ -57,7 +57,7 @@ TEST_P(Sliding, AnOpenGapHasNoTraction) {
   s.look(s.shift({0.1, 1e-3}));
   for (const auto& pair : s.pairs) EXPECT_EQ(pair.state.traction.status, Status::Open);
   s.commit();
-  for (const auto& m : s.memory) EXPECT_EQ(m.anchor_face, kNone) << "opening forgets the anchor";
+  for (const auto& m : s.past) EXPECT_EQ(m.anchor_face, kNone) << "opening forgets the anchor";
 }
 
 TEST_P(Sliding, TheNextIncrementStartsFromTheTractionJustReached) {
@@ -66,12 +66,12 @@ TEST_P(Sliding, TheNextIncrementStartsFromTheTractionJustReached) {
     const VecX u = s.shift({along, -1e-3});
     s.look(u);
     const auto before = s.pairs;
-    const auto memory = s.memory;
+    const auto past = s.past;
     s.commit();
     s.look(u);
     for (std::size_t p = 0; p < s.pairs.size(); ++p) {
       // open, or back from beyond the mouth and so touching for the first time
-      if (before[p].state.traction.status == Status::Open || memory[p].anchor_face == kNone) continue;
+      if (before[p].state.traction.status == Status::Open || past[p].anchor_face == kNone) continue;
       EXPECT_EQ(before[p].state.traction.status, Status::Slip);
       EXPECT_NEAR(std::fabs(before[p].state.traction.tangential), 0.5 * 1e3 * 1e-3, 1e-10);
       EXPECT_NEAR(s.pairs[p].state.traction.tangential, before[p].state.traction.tangential, 1e-10);
@@ -101,13 +101,13 @@ TEST_P(Sliding, FrictionDissipatesPressureTimesSlip) {
   const double stored = 0.5 * (1.0 / 1e3 + 0.25 / 2e3);
   int passing = 0;
   for (std::size_t p = 0; p < s.pairs.size(); ++p) {
-    if (s.pairs[p].state.traction.status != Status::Slip || s.memory[p].anchor_face == kNone) continue;
-    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
-    const double before = s.memory[p].ramp, after = s.pairs[p].state.ramp;
+    if (s.pairs[p].state.traction.status != Status::Slip || s.past[p].anchor_face == kNone) continue;
+    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]);
+    const double before = s.past[p].ramp, after = s.pairs[p].state.ramp;
     passing += before != after;
     EXPECT_NEAR(a.friction, 0.5 * 0.03 * 0.5 * (before + after), 1e-12);
     EXPECT_NEAR(a.pressure, stored * (before - after), 1e-12);
-    EXPECT_NEAR(a.memory.state.slip - s.memory[p].state.slip, 0.03, 1e-12);
+    EXPECT_NEAR(a.end.state.slip - s.past[p].state.slip, 0.03, 1e-12);
   }
   EXPECT_GT(passing, 0) << "the test must see the mouth";
 }
@@ -119,12 +119,12 @@ TEST_P(Sliding, SpringsThatRunPastTheMouthAreLost) {
   s.look(s.shift({0.5, -1e-3}));
   int gone = 0;
   for (std::size_t p = 0; p < s.pairs.size(); ++p) {
-    if (s.pairs[p].partner_face != kNone || s.memory[p].ramp == 0.0) continue;
+    if (s.pairs[p].partner_face != kNone || s.past[p].ramp == 0.0) continue;
     ++gone;
-    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.memory[p]);
-    EXPECT_NEAR(a.pressure, s.memory[p].ramp * 0.5 * (1.0 / 1e3 + 0.25 / 2e3), 1e-12);
-    EXPECT_EQ(a.memory.ramp, 0.0);
-    EXPECT_EQ(a.memory.anchor_face, kNone);
+    const auto a = commit(s.surfaces, s.search.positions(), static_cast<Index>(p), s.pairs[p], s.past[p]);
+    EXPECT_NEAR(a.pressure, s.past[p].ramp * 0.5 * (1.0 / 1e3 + 0.25 / 2e3), 1e-12);
+    EXPECT_EQ(a.end.ramp, 0.0);
+    EXPECT_EQ(a.end.anchor_face, kNone);
   }
   EXPECT_GT(gone, 5);
 }
@@ -138,8 +138,7 @@ TEST_P(Sliding, AFirstTouchIsAnchoredAtThePartner) {
   const auto before = s.pairs;
   s.commit();
   for (std::size_t p = 0; p < s.pairs.size(); ++p)
-    EXPECT_EQ(s.memory[p].anchor_face,
-              before[p].state.traction.status == Status::Open ? kNone : before[p].partner_face);
+    EXPECT_EQ(s.past[p].anchor_face, before[p].state.traction.status == Status::Open ? kNone : before[p].partner_face);
 }
 
 }  // namespace

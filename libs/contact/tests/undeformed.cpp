@@ -41,7 +41,7 @@ TEST_P(Undeformed, TractionsFollowTheLawThroughSlidingAndReversal) {
       EXPECT_NEAR(pair.state.traction.tangential, sense * tangential, 1e-12) << along;
     }
     s.commit();
-    for (const auto& memory : s.memory) EXPECT_NEAR(memory.state.slip, slip, 1e-14) << along;
+    for (const auto& past : s.past) EXPECT_NEAR(past.state.slip, slip, 1e-14) << along;
   };
   expect(0.5 * elastic, Status::Stick, 0.5 * strength, 0.0);
   expect(0.1, Status::Slip, strength, 0.1 - elastic);
@@ -57,7 +57,7 @@ TEST_P(Undeformed, ForceIsLinearOnEveryBranchAndItsTangentItsSlope) {
     s.look(u);
     const Index p = 7;
     const Pair pair = s.pairs[p];
-    const PairForce exact = force_undeformed(s.surfaces, p, pair, s.memory[p]);
+    const PairForce exact = force_undeformed(s.surfaces, p, pair, s.past[p]);
     FacePositions at = s.search.positions();
     const Index own = s.surfaces.points[p].face, other = pair.partner_face;
     const std::array<Vec2*, 4> points{&at.start[own], &at.end[own], &at.start[other], &at.end[other]};
@@ -66,9 +66,9 @@ TEST_P(Undeformed, ForceIsLinearOnEveryBranchAndItsTangentItsSlope) {
       double& x = (*points[k / 2])(k % 2);
       const double here = x;
       x = here + kStep;
-      const auto up = force_undeformed(s.surfaces, p, opposite(s.surfaces, at, p, s.memory[p]), s.memory[p]).force;
+      const auto up = force_undeformed(s.surfaces, p, opposite(s.surfaces, at, p, s.past[p]), s.past[p]).force;
       x = here - kStep;
-      const auto down = force_undeformed(s.surfaces, p, opposite(s.surfaces, at, p, s.memory[p]), s.memory[p]).force;
+      const auto down = force_undeformed(s.surfaces, p, opposite(s.surfaces, at, p, s.past[p]), s.past[p]).force;
       x = here;
       const auto slope = ((up - down) / (2.0 * kStep)).eval();
       EXPECT_LT((slope - exact.tangent.col(k)).cwiseAbs().maxCoeff(), 1e-8 * exact.tangent.cwiseAbs().maxCoeff());

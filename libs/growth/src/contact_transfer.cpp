@@ -32,29 +32,29 @@ class Anchors {
  public:
   Anchors(const Model& from, const Model& to, const std::vector<Kept>& kept) : from_(from), to_(to), kept_(kept) {}
 
-  void move(Index old_point, Index point, contact::ContactState& memory) const {
-    if (memory.anchor_face == kNone) return;
+  void move(Index old_point, Index point, contact::ContactState& past) const {
+    if (past.anchor_face == kNone) return;
     const auto &was = from_.surfaces.points[old_point], &now = to_.surfaces.points[point];
     const auto &old_own = from_.surfaces.faces[was.face], &own = to_.surfaces.faces[now.face];
     if (to_.surfaces.undeformed) {  // the anchor is a distance along the point's own face
       const double scale = (old_own.s_end - old_own.s_start) / (own.s_end - own.s_start);
-      memory.anchor_face = enrichment::opposite_face(now.face);
-      memory.anchor_place = now.eta + (memory.anchor_place - was.eta) * scale;
+      past.anchor_face = enrichment::opposite_face(now.face);
+      past.anchor_place = now.eta + (past.anchor_place - was.eta) * scale;
       return;
     }
     const bool same_point = was.eta == now.eta && is_same(old_own, own);
     const double shift = same_point ? 0.0 : at(own, now.eta) - at(old_own, was.eta);
-    const auto& old = from_.surfaces.faces[memory.anchor_face];
-    const double s = at(old, memory.anchor_place) + shift;
+    const auto& old = from_.surfaces.faces[past.anchor_face];
+    const double s = at(old, past.anchor_place) + shift;
     // an anchor beyond the free end of a face is held by its last segment
-    const double inside = at(old, std::clamp(memory.anchor_place, 0.0, 1.0));
-    memory.anchor_face = kept_[old.crack].holds(inside) ? face_at(to_, old.crack, old.side, inside) : kNone;
-    if (memory.anchor_face == kNone) {
-      memory.anchor_place = 0.0;
+    const double inside = at(old, std::clamp(past.anchor_place, 0.0, 1.0));
+    past.anchor_face = kept_[old.crack].holds(inside) ? face_at(to_, old.crack, old.side, inside) : kNone;
+    if (past.anchor_face == kNone) {
+      past.anchor_place = 0.0;
       return;
     }
-    const auto& face = to_.surfaces.faces[memory.anchor_face];
-    if (shift != 0.0 || !is_same(old, face)) memory.anchor_place = place_on(face, s);
+    const auto& face = to_.surfaces.faces[past.anchor_face];
+    if (shift != 0.0 || !is_same(old, face)) past.anchor_place = place_on(face, s);
   }
 
  private:
@@ -74,7 +74,7 @@ std::vector<Kept> kept_parts(const Model& from, const Model& to) {
   return out;
 }
 
-std::vector<contact::ContactState> contact_on(const Model& from, const std::vector<contact::ContactState>& memory,
+std::vector<contact::ContactState> contact_on(const Model& from, const std::vector<contact::ContactState>& past,
                                               const Model& to) {
   std::vector<std::vector<Index>> points_of(from.surfaces.faces.size());
   for (Index p = 0; p < static_cast<Index>(from.surfaces.points.size()); ++p)
@@ -91,7 +91,7 @@ std::vector<contact::ContactState> contact_on(const Model& from, const std::vect
     const double eta = place_on(from.surfaces.faces[old_face], s);
     const Index nearest = *std::ranges::min_element(
         points_of[old_face], {}, [&](Index k) { return std::fabs(from.surfaces.points[k].eta - eta); });
-    out[p] = memory[nearest];
+    out[p] = past[nearest];
     anchors.move(nearest, p, out[p]);
   }
   return out;

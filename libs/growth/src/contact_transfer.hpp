@@ -1,4 +1,4 @@
-// Contact memory handed on to faces that are cut anew.
+// Contact states handed on to faces that are cut anew.
 #pragma once
 
 #include <limits>
@@ -28,7 +28,7 @@ std::vector<Kept> kept_parts(const assembly::Model& from, const assembly::Model&
 
 /// Memory of the contact points of `to` from that of the points of `from`, whose cracks are the same or shorter.
 std::vector<contact::ContactState> contact_on(const assembly::Model& from,
-                                              const std::vector<contact::ContactState>& memory,
+                                              const std::vector<contact::ContactState>& past,
                                               const assembly::Model& to);
 
 }  // namespace cleft::growth

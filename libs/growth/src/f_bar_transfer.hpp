@@ -1,4 +1,4 @@
-// Histories of bodies with patches, whose cells have other partners once a crack has grown.
+// Plastic and elastic histories of F-bar bodies, whose cells have other partners once a crack has grown.
 #pragma once
 
 #include "cleft/assembly/model.hpp"

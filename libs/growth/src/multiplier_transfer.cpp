@@ -17,9 +17,9 @@ bool same_side(const enrichment::Face& a, const enrichment::Face& b) { return a.
 
 // The interval of a crack and side that holds an arc length, or kNone.
 Index interval_at(const Model& m, const contact::MultiplierNode& where, double s) {
-  const auto& hats = m.surfaces.multiplier_space;
-  for (Index e = 0; e < static_cast<Index>(hats.intervals.size()); ++e) {
-    const auto &first = hats.nodes[hats.intervals[e].first], &second = hats.nodes[hats.intervals[e].second];
+  const auto& space = m.surfaces.multiplier_space;
+  for (Index e = 0; e < static_cast<Index>(space.intervals.size()); ++e) {
+    const auto &first = space.nodes[space.intervals[e].first], &second = space.nodes[space.intervals[e].second];
     if (first.crack == where.crack && first.side == where.side && first.s <= s && s <= second.s) return e;
   }
   return kNone;
@@ -85,7 +85,7 @@ std::vector<AnchorMap> anchor_maps_on(const Model& from, const std::vector<Ancho
 
 }  // namespace
 
-contact::MultiplierState multipliers_on(const Model& from, const contact::MultiplierState& memory, const Model& to) {
+contact::MultiplierState multipliers_on(const Model& from, const contact::MultiplierState& past, const Model& to) {
   if (to.surfaces.multiplier_space.empty()) return {};
   const auto kept = kept_parts(from, to);
   const auto &old = from.surfaces.multiplier_space, &now = to.surfaces.multiplier_space;
@@ -97,33 +97,33 @@ contact::MultiplierState multipliers_on(const Model& from, const contact::Multip
     const auto& interval = old.intervals[e];
     const double first = old.nodes[interval.first].s, second = old.nodes[interval.second].s;
     const double share = (node.s - first) / (second - first);
-    out.multiplier.segment<2>(2 * i) = (1.0 - share) * memory.multiplier.segment<2>(2 * interval.first) +
-                                       share * memory.multiplier.segment<2>(2 * interval.second);
+    out.multiplier.segment<2>(2 * i) = (1.0 - share) * past.multiplier.segment<2>(2 * interval.first) +
+                                       share * past.multiplier.segment<2>(2 * interval.second);
     const auto between = [&](const auto& of_node) {
       return (1.0 - share) * of_node[interval.first] + share * of_node[interval.second];
     };
-    out.slope[i] = between(memory.slope);
-    out.smooth[i] = between(memory.smooth);
-    out.mismatch[i] = between(memory.mismatch);
-    out.state[i].slip = (1.0 - share) * memory.state[interval.first].slip + share * memory.state[interval.second].slip;
-    out.status[i] = memory.status[share < 0.5 ? interval.first : interval.second];
+    out.slope[i] = between(past.slope);
+    out.smooth[i] = between(past.smooth);
+    out.mismatch[i] = between(past.mismatch);
+    out.state[i].slip = (1.0 - share) * past.state[interval.first].slip + share * past.state[interval.second].slip;
+    out.status[i] = past.status[share < 0.5 ? interval.first : interval.second];
   }
   for (std::size_t k = 0; k < now.intervals.size(); ++k) {
     const auto &first = now.nodes[now.intervals[k].first], &second = now.nodes[now.intervals[k].second];
     const double middle = 0.5 * (first.s + second.s);
     const Index e = kept[first.crack].holds(middle) ? interval_at(from, first, middle) : kNone;
-    if (e != kNone) out.coverage[k] = memory.coverage[e];
+    if (e != kNone) out.coverage[k] = past.coverage[e];
   }
-  out.stored = memory.stored;
-  out.anchor_maps = anchor_maps_on(from, memory.anchor_maps, kept, to);
+  out.stored = past.stored;
+  out.anchor_maps = anchor_maps_on(from, past.anchor_maps, kept, to);
   return out;
 }
 
-void put_multipliers(const Model& model, const contact::MultiplierState& memory, VecX& components) {
+void put_multipliers(const Model& model, const contact::MultiplierState& past, VecX& components) {
   const auto& surfaces = model.surfaces;
   for (Index i = 0; i < static_cast<Index>(surfaces.multiplier_space.nodes.size()); ++i)
     components.segment<2>(2 * (surfaces.first_multiplier + i)) =
-        memory.multiplier.segment<2>(2 * i) / surfaces.mortar[surfaces.multiplier_space.nodes[i].crack].scale;
+        past.multiplier.segment<2>(2 * i) / surfaces.mortar[surfaces.multiplier_space.nodes[i].crack].scale;
 }
 
 }  // namespace cleft::growth

@@ -31,9 +31,9 @@ Demand judge(const problem::Rankine& criterion, const assembly::Equilibrium& bod
   const geometry::Disc disc{geometry::tip_of(m.cracks[tip.crack], tip.end).point, criterion.radius};
   const bool spans = assembly::visit_within(disc, m, [&](Index p, double within) {
     const Mat2 F = assembly::material_deformation(m, p, body.displacement);
-    const auto& remembered = body.plastic.empty() ? constitutive::PlasticState{} : body.plastic[p];
+    const auto& state = body.plastic.empty() ? constitutive::PlasticState{} : body.plastic[p];
     area += within;
-    stress += within * assembly::stress_of(m.material(p), F, remembered).in_plane;
+    stress += within * assembly::stress_of(m.material(p), F, state).in_plane;
     deformation += within * F;
   });
   Demand out;

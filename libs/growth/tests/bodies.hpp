@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "cleft/growth/evolution.hpp"
-#include "cleft/problem/build.hpp"
+#include "problem/tests/specifications.hpp"
 
 namespace cleft::growth {
 
@@ -32,11 +31,7 @@ struct Solid {
 };
 
 inline Solid elastic(problem::Kinematics kinematics, double poisson = 0.25) {
-  problem::MaterialSpec material;
-  material.model = "hencky";
-  material.young = 1e10;
-  material.poisson = poisson;
-  return {material, kinematics};
+  return {problem::small::elastic(problem::small::kYoung, poisson), kinematics};
 }
 
 /// Drucker and Prager's cone with E = 1e10 Pa, nu = 0.25, alpha = 5e7 Pa, hardening 1e9 Pa and beta = b = `slope`.
@@ -107,21 +102,13 @@ struct Square {
     return problem::StructuredMesh{{0, 0, 1, 1}, cells, diagonal, {}};
   }
   problem::CrackSpec interface(const geometry::Crack& crack) const {
-    problem::CrackSpec out;
-    out.name = crack.name;
-    out.points = crack.points;
-    out.law = contact::Coulomb{friction};
-    out.mortar.on = mortar;
-    if (!mortar) out.normal_penalty = out.tangential_penalty = 1e10 / (delaunay > 0.0 ? delaunay : 1.0 / cells[0]);
-    return out;
+    const double size = delaunay > 0.0 ? delaunay : 1.0 / cells[0];
+    return mortar ? problem::small::crack_with_multipliers(crack, friction)
+                  : problem::small::crack_with_springs(crack, friction, problem::small::kYoung / size);
   }
   problem::BoundarySpec held(const char* on, const Vec2& at_full_load) const {
-    problem::BoundarySpec out;
-    out.name = out.on = on;
-    out.ux = at_full_load.x();
-    out.uy = at_full_load.y();
-    if (turn != 0.0) out.rotation = {Vec2::Zero(), turn * 180.0 / std::numbers::pi, {}};
-    return out;
+    const auto out = problem::small::held(on, at_full_load);
+    return turn == 0.0 ? out : problem::small::turned(out, turn);
   }
 };
 

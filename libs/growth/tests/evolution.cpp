@@ -307,7 +307,7 @@ TEST(Evolution, SmallAndFiniteStrainAgreeWhereTheStrainIsSmall) {
     load.push_back(run.loads_of_growth().back());
     const auto& state = body.stepper().state();
     double most = 0.0;
-    for (const auto& memory : state.history.contact) most = std::max(most, memory.state.slip);
+    for (const auto& past : state.history.contact) most = std::max(most, past.state.slip);
     slip.push_back(most);
     friction.push_back(state.energies.friction_dissipation);
     released.push_back(state.energies.released);

@@ -26,7 +26,7 @@ struct Slid {
   }
 };
 
-TEST(HatTransfer, ToTheSameCrackChangesNothing) {
+TEST(MultiplierTransfer, ToTheSameCrackChangesNothing) {
   const Slid slid;
   const auto& before = slid.state.history.multipliers;
   const auto after = transfer(slid.model, slid.state, slid.model);
@@ -54,15 +54,15 @@ TEST(HatTransfer, ToTheSameCrackChangesNothing) {
   }
 }
 
-TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) {
+TEST(MultiplierTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) {
   const Slid slid;
   const double old_length = (Vec2(0.68, 0.61) - Vec2(0.31, 0.42)).norm();
   const auto longer = slid.square({geometry::extended(slid.square.cracks[0], 1, {0.7, 0.78})});
   const auto state = transfer(slid.model, slid.state, longer);
   const auto traction_at = [](const assembly::Model& m, const VecX& multiplier, double s) -> Vec2 {
-    const auto& hats = m.surfaces.multiplier_space;
-    for (const auto& e : hats.intervals) {
-      const double first = hats.nodes[e.first].s, second = hats.nodes[e.second].s;
+    const auto& space = m.surfaces.multiplier_space;
+    for (const auto& e : space.intervals) {
+      const double first = space.nodes[e.first].s, second = space.nodes[e.second].s;
       if (s < first || s > second) continue;
       const double share = (s - first) / (second - first);
       return (1.0 - share) * multiplier.segment<2>(2 * e.first) + share * multiplier.segment<2>(2 * e.second);
@@ -70,9 +70,9 @@ TEST(HatTransfer, ToALongerCrackKeepsTractionsWhereTheyAreAndPutsNewHatsAtRest) 
     return Vec2::Zero();
   };
   int kept = 0, fresh = 0;
-  const auto& hats = longer.surfaces.multiplier_space;
-  for (std::size_t i = 0; i < hats.nodes.size(); ++i) {
-    const double s = hats.nodes[i].s;
+  const auto& space = longer.surfaces.multiplier_space;
+  for (std::size_t i = 0; i < space.nodes.size(); ++i) {
+    const double s = space.nodes[i].s;
     const Vec2 now = state.history.multipliers.multiplier.segment<2>(2 * static_cast<Index>(i));
     if (s > old_length) {
       EXPECT_EQ(now.norm(), 0.0);

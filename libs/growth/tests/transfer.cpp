@@ -72,25 +72,25 @@ TEST(Transfer, HandsContactOnByArcLengthAndAnchorsNewFacesOpposite) {
   int old = 0, fresh = 0;
   for (std::size_t p = 0; p < s.after.surfaces.points.size(); ++p) {
     const auto& point = s.after.surfaces.points[p];
-    const auto& memory = s.handed_on.history.contact[p];
+    const auto& past = s.handed_on.history.contact[p];
     const double here = s_of(s.after, point.face, point.eta);
     for (std::size_t q = 0; q < s.before.surfaces.points.size(); ++q) {
       const auto& was = s.before.surfaces.points[q];
       if (std::fabs(s_of(s.before, was.face, was.eta) - here) > 1e-12) continue;
       const auto& expected = s.state.history.contact[q];
-      EXPECT_EQ(memory.state.slip, expected.state.slip);
-      EXPECT_EQ(memory.normal, expected.normal);
-      EXPECT_EQ(memory.tangential, expected.tangential);
-      EXPECT_EQ(memory.ramp, expected.ramp);
+      EXPECT_EQ(past.state.slip, expected.state.slip);
+      EXPECT_EQ(past.normal, expected.normal);
+      EXPECT_EQ(past.tangential, expected.tangential);
+      EXPECT_EQ(past.ramp, expected.ramp);
       if (expected.anchor_face == kNone) continue;
-      EXPECT_NEAR(s_of(s.after, memory.anchor_face, memory.anchor_place),
+      EXPECT_NEAR(s_of(s.after, past.anchor_face, past.anchor_place),
                   s_of(s.before, expected.anchor_face, expected.anchor_place), 1e-13);
-      EXPECT_EQ(s.after.surfaces.faces[memory.anchor_face].side, s.before.surfaces.faces[expected.anchor_face].side);
+      EXPECT_EQ(s.after.surfaces.faces[past.anchor_face].side, s.before.surfaces.faces[expected.anchor_face].side);
       ++old;
     }
     if (here < 0.0 || here > 0.416) {
-      EXPECT_EQ(memory.anchor_face, enrichment::opposite_face(point.face));
-      EXPECT_EQ(memory.state.slip, 0.0);
+      EXPECT_EQ(past.anchor_face, enrichment::opposite_face(point.face));
+      EXPECT_EQ(past.state.slip, 0.0);
       ++fresh;
     }
   }
@@ -175,10 +175,10 @@ TEST(Transfer, InTheUndeformedConfigurationAnchorsKeepTheirDistance) {
       if (std::fabs(face.s_start - old.s_start) > 1e-12 || std::fabs(face.s_end - old.s_end) > 1e-12 ||
           now.eta != was.eta)
         continue;
-      const auto &memory = handed_on.history.contact[p], &expected = far.history.contact[q];
+      const auto &past = handed_on.history.contact[p], &expected = far.history.contact[q];
       if (expected.anchor_face == kNone) continue;
-      EXPECT_EQ(memory.anchor_face, enrichment::opposite_face(now.face));
-      EXPECT_NEAR((memory.anchor_place - now.eta) * length(s.after, now.face),
+      EXPECT_EQ(past.anchor_face, enrichment::opposite_face(now.face));
+      EXPECT_NEAR((past.anchor_place - now.eta) * length(s.after, now.face),
                   (expected.anchor_place - was.eta) * length(s.before, was.face), 1e-14);
       slid_away += expected.anchor_place > 1.0;
     }

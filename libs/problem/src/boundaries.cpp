@@ -72,8 +72,9 @@ struct Shared {
   int component;
 };
 
-void refuse_unequal(const Specification& scene, const assembly::Model& m, const Shared& shared, double tolerance) {
-  const auto &here = scene.boundaries[shared.second], &there = scene.boundaries[shared.first];
+void refuse_unequal(const Specification& specification, const assembly::Model& m, const Shared& shared,
+                    double tolerance) {
+  const auto &here = specification.boundaries[shared.second], &there = specification.boundaries[shared.first];
   for (const double load : loads_to_compare(here, there)) {
     const auto value_of = [&](Index boundary) {
       return assembly::prescribed_value(m, m.prescribed[boundary], shared.unknown, load)[shared.component];
@@ -90,7 +91,7 @@ void refuse_unequal(const Specification& scene, const assembly::Model& m, const 
   }
 }
 
-void refuse_contradictions(const Specification& scene, const assembly::Model& m) {
+void refuse_contradictions(const Specification& specification, const assembly::Model& m) {
   constexpr double kTolerance = 1e-12;  // of the body's extent
   const auto [low, high] = geometry::box_around(m.mesh);
   std::vector<Index> first(m.unknowns.components(), kNone);
@@ -102,7 +103,7 @@ void refuse_contradictions(const Specification& scene, const assembly::Model& m)
         if (earlier == kNone)
           earlier = p;
         else
-          refuse_unequal(scene, m, {earlier, p, unknown, i}, kTolerance * (high - low).norm());
+          refuse_unequal(specification, m, {earlier, p, unknown, i}, kTolerance * (high - low).norm());
       }
 }
 
@@ -120,9 +121,9 @@ void refuse_reversed_cracks(const FieldSpec& spec, const std::vector<geometry::C
                       crack.name, spec.name));
 }
 
-void prescribe(const Specification& scene, assembly::Model& m) {
+void prescribe(const Specification& specification, assembly::Model& m) {
   const auto constants = m.constants(0);  // a field is only allowed where it is the only one
-  for (const auto& b : scene.boundaries) {
+  for (const auto& b : specification.boundaries) {
     if (b.field) refuse_reversed_cracks(*b.field, m.cracks);
     if (!b.box) require_boundary(m.mesh, b.on, b.at);
     auto nodes = b.box ? geometry::nodes_in_box(m.mesh, *b.box) : geometry::boundary_nodes(m.mesh, b.on);
@@ -132,10 +133,10 @@ void prescribe(const Specification& scene, assembly::Model& m) {
       throw InputError(b.at, b.at.key("box"), "no node lies in the box; allowed: a box around at least one node");
     m.prescribed.push_back(std::move(p));
   }
-  refuse_contradictions(scene, m);
+  refuse_contradictions(specification, m);
   // who builds a model on a scene without boundaries prescribes by other means
-  if (const auto free = scene.boundaries.empty() ? std::nullopt : free_motion(m))
-    throw InputError(scene.boundaries.back().at, "boundary",
+  if (const auto free = specification.boundaries.empty() ? std::nullopt : free_motion(m))
+    throw InputError(specification.boundaries.back().at, "boundary",
                      *free + "; allowed: boundaries that together hold every part in x, in y and against turning");
 }
 

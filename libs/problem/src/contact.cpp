@@ -18,24 +18,24 @@ std::vector<std::pair<double, int>> summed_sizes(const assembly::Model& model) {
   return out;
 }
 
-double largest_poisson(const Specification& scene) {
+double largest_poisson(const Specification& specification) {
   double out = 0.0;
-  for (const auto& material : scene.materials) out = std::max(out, material.poisson);
+  for (const auto& material : specification.materials) out = std::max(out, material.poisson);
   return out;
 }
 
-// Less smoothing than this is taken as this: where a crack has more hats than the elements along it let it open, what
-// they cannot answer to is held at nothing by it, and else it is the compliance of a millionth of an element.
+// Least smoothing. A crack may have more multipliers than the elements along it have ways to open; the compliance then
+// holds the surplus at 0. Elsewhere it is the compliance of a millionth of an element, which changes nothing.
 constexpr double kLeastSmoothing = 1e-6;
 
-// Stiffness of mortar contact and its hats.
-void set_up_multipliers(const Specification& scene, const std::vector<double>& scale, const ContactScales& earlier,
-                        assembly::Model& m) {
+// Scales of mortar contact and the multiplier space.
+void set_up_multipliers(const Specification& specification, const std::vector<double>& scale,
+                        const ContactScales& earlier, assembly::Model& m) {
   auto& s = m.surfaces;
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    auto mortar = scene.cracks[k].mortar;
+  for (std::size_t k = 0; k < specification.cracks.size(); ++k) {
+    auto mortar = specification.cracks[k].mortar;
     if (mortar.on) {
-      mortar.scale = scale.empty() ? earlier.mortar[k].scale : scale[k] / (1.0 + largest_poisson(scene));
+      mortar.scale = scale.empty() ? earlier.mortar[k].scale : scale[k] / (1.0 + largest_poisson(specification));
       mortar.compliance = 1.0 / mortar.scale;
       mortar.smoothing = std::max(mortar.smoothing, kLeastSmoothing);
     }
@@ -68,38 +68,38 @@ std::vector<double> cut_sizes(const assembly::Model& model) {
   return out;
 }
 
-std::vector<double> penalty_scale(const Specification& scene, const assembly::Model& model) {
+std::vector<double> penalty_scale(const Specification& specification, const assembly::Model& model) {
   constexpr double kNoSide = std::numeric_limits<double>::infinity();
-  std::vector<double> out(scene.cracks.size(), kNoSide);
+  std::vector<double> out(specification.cracks.size(), kNoSide);
   assembly::for_each_material_point(model, [&](std::size_t p, const auto& point, double) {
     const Index cut = model.cut.cut_of_element[point.element];
     if (cut == kNone) return;
     double& softest = out[model.cut.elements[cut].crack];
-    softest = std::min(softest, scene.materials[model.material_of.empty() ? 0 : model.material_of[p]].young);
+    softest = std::min(softest, specification.materials[model.material_of.empty() ? 0 : model.material_of[p]].young);
   });
   const auto sizes = summed_sizes(model);
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = out[k] * sizes[k].second / sizes[k].first;
   return out;
 }
 
-void set_up_contact(const Specification& scene, const ContactScales& earlier, assembly::Model& m) {
+void set_up_contact(const Specification& specification, const ContactScales& earlier, assembly::Model& m) {
   auto& s = m.surfaces;
   s.faces = enrichment::make_faces(m.mesh, m.cut, m.unknowns);
-  s.search_radius = scene.solver.search_radius;
-  s.undeformed = scene.kinematics == Kinematics::Small;
+  s.search_radius = specification.solver.search_radius;
+  s.undeformed = specification.kinematics == Kinematics::Small;
   for (const auto& element : m.cut.elements)
     s.element_size = std::max(s.element_size, element_size(m.mesh, element.element));
   s.springs = earlier.springs;
-  const auto scale = s.springs.empty() ? penalty_scale(scene, m) : std::vector<double>{};
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    const auto& spec = scene.cracks[k];
+  const auto scale = s.springs.empty() ? penalty_scale(specification, m) : std::vector<double>{};
+  for (std::size_t k = 0; k < specification.cracks.size(); ++k) {
+    const auto& spec = specification.cracks[k];
     s.laws.push_back(spec.law);
     if (!scale.empty()) s.springs.push_back(springs_of(spec, scale[k]));
     s.sides.push_back(spec.negative_side);
   }
-  s.points = contact::place_points(s, scene.solver.gauss_points);
-  if (std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.mortar.on; }))
-    set_up_multipliers(scene, scale, earlier, m);
+  s.points = contact::place_points(s, specification.solver.gauss_points);
+  if (std::ranges::any_of(specification.cracks, [](const CrackSpec& crack) { return crack.mortar.on; }))
+    set_up_multipliers(specification, scale, earlier, m);
 }
 
 }  // namespace cleft::problem

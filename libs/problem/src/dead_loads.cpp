@@ -14,7 +14,7 @@ namespace cleft::problem {
 namespace {
 
 // The work of a traction on branch functions is not counted.
-void refuse_ball(const Specification& scene, const TractionSpec& spec, const assembly::Model& m) {
+void refuse_ball(const Specification& specification, const TractionSpec& spec, const assembly::Model& m) {
   if (m.cut.tips.empty()) return;
   std::set<std::array<Index, 2>> edges;
   for (const auto& edge : m.mesh.boundaries.at(spec.on)) edges.insert(edge);
@@ -22,15 +22,15 @@ void refuse_ball(const Specification& scene, const TractionSpec& spec, const ass
     for (int k = 0; k < 3; ++k)
       if (m.cut.tip_of_element[t] != kNone &&
           edges.contains({m.mesh.triangles[t][k], m.mesh.triangles[t][(k + 1) % 3]}))
-        throw InputError(scene.formulation_at, scene.formulation_at.key("tip_enrichment"),
+        throw InputError(specification.formulation_at, specification.formulation_at.key("tip_enrichment"),
                          fmt::format("the ball of a tip reaches the boundary '{}', which carries a traction; allowed: "
                                      "a smaller radius",
                                      spec.on));
 }
 
-void add_traction(const Specification& scene, const TractionSpec& spec, assembly::Model& m) {
+void add_traction(const Specification& specification, const TractionSpec& spec, assembly::Model& m) {
   require_boundary(m.mesh, spec.on, spec.at);
-  refuse_ball(scene, spec, m);
+  refuse_ball(specification, spec, m);
   m.dead_loads.push_back([force = traction_force(m, spec.on, spec.value), a = spec.amplitude](double load) -> VecX {
     return a(load) * force;
   });
@@ -52,10 +52,10 @@ void add_loads_of_exact(const FieldSpec& exact, assembly::Model& m) {
 
 }  // namespace
 
-void add_dead_loads(const Specification& scene, assembly::Model& m) {
-  for (const auto& traction : scene.tractions) add_traction(scene, traction, m);
-  if (scene.gravity) add_gravity(*scene.gravity, m);
-  if (scene.exact) add_loads_of_exact(*scene.exact, m);
+void add_dead_loads(const Specification& specification, assembly::Model& m) {
+  for (const auto& traction : specification.tractions) add_traction(specification, traction, m);
+  if (specification.gravity) add_gravity(*specification.gravity, m);
+  if (specification.exact) add_loads_of_exact(*specification.exact, m);
 }
 
 }  // namespace cleft::problem

@@ -6,9 +6,9 @@
 
 namespace cleft::problem {
 
-void refuse_idle_growth(const Specification& scene, const assembly::Model& m) {
-  for (Index c = 0; c < static_cast<Index>(scene.cracks.size()); ++c) {
-    const auto& [law, at] = std::tie(scene.cracks[c].growth, scene.cracks[c].growth_at);
+void refuse_idle_growth(const Specification& specification, const assembly::Model& m) {
+  for (Index c = 0; c < static_cast<Index>(specification.cracks.size()); ++c) {
+    const auto& [law, at] = std::tie(specification.cracks[c].growth, specification.cracks[c].growth_at);
     if (!law) continue;
     const auto* rankine = std::get_if<Rankine>(&law->criterion);
     int tips = 0;

@@ -128,18 +128,18 @@ VecX face_force(const assembly::Model& m, const FaceTraction& traction) {
   return force;
 }
 
-std::vector<double> kinks_of(const Specification& scene) {
+std::vector<double> kinks_of(const Specification& specification) {
   std::vector<double> all;
   const auto add = [&](const Amplitude& amplitude) {
     const auto turns = amplitude.turns();
     all.insert(all.end(), turns.begin(), turns.end());
   };
-  for (const auto& b : scene.boundaries) {
+  for (const auto& b : specification.boundaries) {
     add(b.amplitude);
     if (b.rotation) add(b.rotation->amplitude);
   }
-  for (const auto& t : scene.tractions) add(t.amplitude);
-  if (scene.gravity) add(scene.gravity->amplitude);
+  for (const auto& t : specification.tractions) add(t.amplitude);
+  if (specification.gravity) add(specification.gravity->amplitude);
   std::sort(all.begin(), all.end());
   return all;
 }

@@ -36,6 +36,6 @@ struct BulkPoint {
 void for_each_point(const assembly::Model& model, const std::function<void(const BulkPoint&)>& visit);
 
 /// Loads between 0 and 1 at which an amplitude turns, of boundaries, rotations, tractions and gravity, ascending.
-std::vector<double> kinks_of(const Specification& scene);
+std::vector<double> kinks_of(const Specification& specification);
 
 }  // namespace cleft::problem

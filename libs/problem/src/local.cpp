@@ -51,7 +51,7 @@ void shift(DelaunayMesh& mesh, const Vec2& origin) {
   for (auto& hole : mesh.outline.holes) shift(hole.points, origin);
 }
 
-void shift(GmshMesh& /*the file's nodes are no part of the scene*/, const Vec2& /*origin*/) {}
+void shift(GmshMesh& /*the file's nodes are no part of the specification*/, const Vec2& /*origin*/) {}
 
 void shift(CrackSpec& crack, const Vec2& origin) {
   shift(crack.points, origin);
@@ -80,12 +80,12 @@ Vec2 local_origin(const Vec2& low, const Vec2& high) {
   return {unit * std::floor(low.x() / unit), unit * std::floor(low.y() / unit)};
 }
 
-LocalSpecification relative_to(const Vec2& origin, Specification scene) {
-  if (origin == Vec2::Zero()) return {origin, std::move(scene)};
-  std::visit([&](auto& mesh) { shift(mesh, origin); }, scene.mesh.kind);
-  for (auto& crack : scene.cracks) shift(crack, origin);
-  for (auto& boundary : scene.boundaries) shift(boundary, origin);
-  return {origin, std::move(scene)};
+LocalSpecification relative_to(const Vec2& origin, Specification specification) {
+  if (origin == Vec2::Zero()) return {origin, std::move(specification)};
+  std::visit([&](auto& mesh) { shift(mesh, origin); }, specification.mesh.kind);
+  for (auto& crack : specification.cracks) shift(crack, origin);
+  for (auto& boundary : specification.boundaries) shift(boundary, origin);
+  return {origin, std::move(specification)};
 }
 
 }  // namespace cleft::problem

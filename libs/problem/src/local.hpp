@@ -16,8 +16,8 @@ Vec2 count_from(const Vec2& origin, const Vec2& place);
 /// are not places but functions of the scene's coordinates; who evaluates them adds the origin.
 struct LocalSpecification {
   Vec2 origin = Vec2::Zero();
-  Specification scene;
+  Specification specification;
 };
-LocalSpecification relative_to(const Vec2& origin, Specification scene);
+LocalSpecification relative_to(const Vec2& origin, Specification specification);
 
 }  // namespace cleft::problem

@@ -61,8 +61,8 @@ std::vector<MaybeSide> sides_of(const assembly::Model& m, Index crack) {
   return divides ? side : std::vector<MaybeSide>{};
 }
 
-std::string name_of(const Specification& scene, Index material) {
-  const auto& section = scene.materials[material].at.section;
+std::string name_of(const Specification& specification, Index material) {
+  const auto& section = specification.materials[material].at.section;
   return section.empty() ? fmt::format("material {}", material) : section;
 }
 
@@ -109,35 +109,35 @@ class Claim {
 };
 
 // Stress intensity factors are those of one elastic body around the tip.
-void refuse_mixed_balls(const Specification& scene, const assembly::Model& m) {
+void refuse_mixed_balls(const Specification& specification, const assembly::Model& m) {
   for (std::size_t p = 1; p < m.tip_points.size(); ++p) {
     const auto &a = m.tip_points[p - 1], &b = m.tip_points[p];
     const auto at = static_cast<Index>(m.cells.size() + p);
-    const auto& crack = scene.cracks[m.cut.tips[b.tip].crack];
+    const auto& crack = specification.cracks[m.cut.tips[b.tip].crack];
     if (a.tip == b.tip && (crack.intensities || grows_by_intensities(crack)) &&
         m.material_of[at - 1] != m.material_of[at])
       throw InputError(crack.at, crack.at.part("crack", crack.name),
                        "its stress intensity factors are asked for, but two materials meet in the ball of a tip; "
                        "allowed: a smaller " +
-                           scene.formulation_at.key("tip_enrichment"));
+                           specification.formulation_at.key("tip_enrichment"));
   }
 }
 
 }  // namespace
 
-void fill_with_materials(const Specification& scene, assembly::Model& m) {
-  for (const auto& spec : scene.materials) m.materials.push_back(material_of(spec, scene.kinematics));
+void fill_with_materials(const Specification& specification, assembly::Model& m) {
+  for (const auto& spec : specification.materials) m.materials.push_back(material_of(spec, specification.kinematics));
   std::vector<std::pair<Index, Claim>> claims;
   Index rest = kNone;
-  for (Index number = 0; number < static_cast<Index>(scene.materials.size()); ++number) {
-    const auto& spec = scene.materials[number];
+  for (Index number = 0; number < static_cast<Index>(specification.materials.size()); ++number) {
+    const auto& spec = specification.materials[number];
     if (spec.region) {
       claims.emplace_back(number, Claim(*spec.region, spec, m));
     } else if (rest == kNone) {
       rest = number;
     } else {
       throw InputError(spec.at, spec.at.key("region"),
-                       name_of(scene, rest) + " fills the rest already; allowed: a region");
+                       name_of(specification, rest) + " fills the rest already; allowed: a region");
     }
   }
   if (claims.empty()) return;
@@ -145,19 +145,20 @@ void fill_with_materials(const Specification& scene, assembly::Model& m) {
   for (Index p = 0; p < static_cast<Index>(m.material_points()); ++p) {
     const auto point = assembly::material_point(m, p);
     const auto fail = [&](const std::string& problem) {
-      throw InputError(scene.materials.front().at, "material",
+      throw InputError(specification.materials.front().at, "material",
                        fmt::format("the body at {} {}", m.words_for(point.reference), problem));
     };
     for (const auto& [number, claim] : claims) {
       if (!claim.holds(point)) continue;
       if (m.material_of[p] != rest)
-        fail(fmt::format("is filled by {} and {}", name_of(scene, m.material_of[p]), name_of(scene, number)));
+        fail(fmt::format("is filled by {} and {}", name_of(specification, m.material_of[p]),
+                         name_of(specification, number)));
       m.material_of[p] = number;
     }
     if (m.material_of[p] == kNone)
       fail("has no material; allowed: one more [[material]], without a region for the rest");
   }
-  refuse_mixed_balls(scene, m);
+  refuse_mixed_balls(specification, m);
 }
 
 }  // namespace cleft::problem

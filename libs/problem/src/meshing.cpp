@@ -43,12 +43,13 @@ auto located(const Location& at, const std::string& part, const Make& make) {
   }
 }
 
-geometry::Mesh fill(const StructuredMesh& spec, const Specification& scene) {
+geometry::Mesh fill(const StructuredMesh& spec, const Specification& specification) {
   if (!spec.focus)
-    return located(scene.mesh.at, "", [&] { return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal); });
+    return located(specification.mesh.at, "",
+                   [&] { return geometry::structured_mesh(spec.box, spec.cells, spec.diagonal); });
   const auto lines = [&](int k) {
     const auto& box = spec.focus->box;
-    return located(scene.mesh.at, "focus.", [&] {
+    return located(specification.mesh.at, "focus.", [&] {
       return geometry::graded_lines(spec.box[k], spec.box[k + 2], spec.cells[k],
                                     {box[k], box[k + 2], spec.focus->share});
     });
@@ -56,16 +57,16 @@ geometry::Mesh fill(const StructuredMesh& spec, const Specification& scene) {
   return geometry::mesh_of_lines(lines(0), lines(1), spec.diagonal);
 }
 
-geometry::Mesh fill(const DelaunayMesh& spec, const Specification& scene) {
+geometry::Mesh fill(const DelaunayMesh& spec, const Specification& specification) {
   geometry::SizeField size{spec.size / spec.refine, spec.gradation, {}};
   const double along = spec.crack_size / spec.refine, at_tip = spec.tip_size / spec.refine;
-  for (const auto& crack : scene.cracks) {
+  for (const auto& crack : specification.cracks) {
     const auto points = points_of(crack, along);
     size.sources.push_back({points, along});
     for (const Vec2& end : {points.front(), points.back()})
       if (geometry::lies_inside(spec.outline, end)) size.sources.push_back({{end}, at_tip});
   }
-  return located(scene.mesh.at, "", [&] { return geometry::delaunay_mesh(spec.outline, size); });
+  return located(specification.mesh.at, "", [&] { return geometry::delaunay_mesh(spec.outline, size); });
 }
 
 using Box = std::array<Vec2, 2>;  // lower left and upper right corner
@@ -81,17 +82,17 @@ Box box_of(const DelaunayMesh& spec) {
 
 // The coordinates come first, so that nothing is computed far from the origin.
 template <class Spec>
-MeshedSpecification make(const Spec& spec, const Specification& scene) {
+MeshedSpecification make(const Spec& spec, const Specification& specification) {
   const auto [low, high] = box_of(spec);
-  auto local = relative_to(local_origin(low, high), scene);
-  auto mesh = fill(std::get<Spec>(local.scene.mesh.kind), local.scene);
+  auto local = relative_to(local_origin(low, high), specification);
+  auto mesh = fill(std::get<Spec>(local.specification.mesh.kind), local.specification);
   return {std::move(local), std::move(mesh)};
 }
 
-MeshedSpecification make(const GmshMesh& spec, const Specification& scene) {
+MeshedSpecification make(const GmshMesh& spec, const Specification& specification) {
   auto mesh = geometry::read_gmsh(spec.file);
   const auto [low, high] = geometry::box_around(mesh);
-  auto local = relative_to(local_origin(low, high), scene);
+  auto local = relative_to(local_origin(low, high), specification);
   if (local.origin != Vec2::Zero())
     for (Vec2& node : mesh.nodes) node = count_from(local.origin, node);
   return {std::move(local), std::move(mesh)};
@@ -99,14 +100,15 @@ MeshedSpecification make(const GmshMesh& spec, const Specification& scene) {
 
 }  // namespace
 
-MeshedSpecification make_mesh(const Specification& scene) {
-  return std::visit([&](const auto& spec) { return make(spec, scene); }, scene.mesh.kind);
+MeshedSpecification make_mesh(const Specification& specification) {
+  return std::visit([&](const auto& spec) { return make(spec, specification); }, specification.mesh.kind);
 }
 
-std::vector<geometry::Crack> make_cracks(const Specification& scene, const geometry::Mesh& mesh) {
+std::vector<geometry::Crack> make_cracks(const Specification& specification, const geometry::Mesh& mesh) {
   const double size = smallest_element(mesh);
   std::vector<geometry::Crack> cracks;
-  for (const auto& crack : scene.cracks) cracks.push_back({crack.name, points_of(crack, size), scene.tip_enrichment});
+  for (const auto& crack : specification.cracks)
+    cracks.push_back({crack.name, points_of(crack, size), specification.tip_enrichment});
   return cracks;
 }
 

@@ -32,8 +32,8 @@ std::vector<double> Amplitude::turns() const {
 bool is_plastic(const MaterialSpec& m) { return m.model == "j2" || m.model == "drucker-prager"; }
 bool is_viscous(const MaterialSpec& m) { return m.viscosity > 0.0; }
 
-bool grows(const Specification& scene) {
-  return std::ranges::any_of(scene.cracks, [](const CrackSpec& crack) { return crack.growth.has_value(); });
+bool grows(const Specification& specification) {
+  return std::ranges::any_of(specification.cracks, [](const CrackSpec& crack) { return crack.growth.has_value(); });
 }
 bool grows_by_intensities(const CrackSpec& crack) {
   return crack.growth && std::holds_alternative<HoopStress>(crack.growth->criterion);

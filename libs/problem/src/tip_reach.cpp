@@ -14,20 +14,21 @@ constexpr double kWithin = 1.0 - 1e-9;  // of the reach; not on its rim but for 
 
 double size_at(const assembly::Model& m, Index tip) { return element_size(m.mesh, m.cut.tips[tip].element); }
 
-void refuse_narrow(const Specification& scene, const assembly::Model& m, Index tip) {
+void refuse_narrow(const Specification& specification, const assembly::Model& m, Index tip) {
   const TipBall& ball = m.cut.tips[tip];
   const double elements = elements_within_reach(m, tip);
   if (elements >= kLeastReach) return;
   throw InputError(
-      scene.cracks[ball.crack].at, scene.cracks[ball.crack].at.part("crack", scene.cracks[ball.crack].name),
+      specification.cracks[ball.crack].at,
+      specification.cracks[ball.crack].at.part("crack", specification.cracks[ball.crack].name),
       fmt::format("its stress intensity factors are asked for, but {:.3g} m from the tip {}, {:.2g} element sizes, {}; "
                   "allowed: at least half an element size, {:.3g} m",
                   ball.reach, m.words_for(ball.frame.tip()), elements, end_of_reach(ball), least_reach(m, tip)));
 }
 
-void refuse_short_advances(const Specification& scene, const assembly::Model& m, Index tip) {
+void refuse_short_advances(const Specification& specification, const assembly::Model& m, Index tip) {
   const TipBall& ball = m.cut.tips[tip];
-  const auto& crack = scene.cracks[ball.crack];
+  const auto& crack = specification.cracks[ball.crack];
   if (!grows_by_intensities(crack) || !crack.growth->tips[ball.end] || crack.growth->advance >= least_reach(m, tip))
     return;
   throw InputError(crack.growth_at, crack.growth_at.key("advance"),
@@ -36,18 +37,20 @@ void refuse_short_advances(const Specification& scene, const assembly::Model& m,
                                least_reach(m, tip)));
 }
 
-// The force that holds a node inside of the body is none that the integral knows.
-void refuse_held_nodes(const Specification& scene, const assembly::Model& m, Index tip) {
+// The interaction integral does not account for the force that holds a node inside its ball.
+void refuse_held_nodes(const Specification& specification, const assembly::Model& m, Index tip) {
   const TipBall& ball = m.cut.tips[tip];
   for (std::size_t p = 0; p < m.prescribed.size(); ++p)
     for (const Index unknown : m.prescribed[p].unknowns) {
       const Vec2& X = m.mesh.nodes[m.unknowns.node_of[unknown]];
       if ((X - ball.frame.tip()).norm() >= kWithin * ball.reach) continue;
       throw InputError(
-          scene.boundaries[p].at, scene.boundaries[p].at.part("boundary", scene.boundaries[p].name),
+          specification.boundaries[p].at,
+          specification.boundaries[p].at.part("boundary", specification.boundaries[p].name),
           fmt::format("holds the node {} in the ball of a tip of crack '{}', whose stress intensity factors are "
                       "asked for; allowed: nodes outside of the ball, or a smaller {}",
-                      m.words_for(X), scene.cracks[ball.crack].name, scene.formulation_at.key("tip_enrichment")));
+                      m.words_for(X), specification.cracks[ball.crack].name,
+                      specification.formulation_at.key("tip_enrichment")));
     }
 }
 
@@ -71,12 +74,12 @@ bool asks_for_intensities(const CrackSpec& crack, int end) {
   return crack.intensities || (grows_by_intensities(crack) && crack.growth->tips[end]);
 }
 
-void refuse_narrow_tips(const Specification& scene, const assembly::Model& m) {
+void refuse_narrow_tips(const Specification& specification, const assembly::Model& m) {
   for (Index tip = 0; tip < static_cast<Index>(m.cut.tips.size()); ++tip) {
-    if (!asks_for_intensities(scene.cracks[m.cut.tips[tip].crack], m.cut.tips[tip].end)) continue;
-    refuse_narrow(scene, m, tip);
-    refuse_short_advances(scene, m, tip);
-    refuse_held_nodes(scene, m, tip);
+    if (!asks_for_intensities(specification.cracks[m.cut.tips[tip].crack], m.cut.tips[tip].end)) continue;
+    refuse_narrow(specification, m, tip);
+    refuse_short_advances(specification, m, tip);
+    refuse_held_nodes(specification, m, tip);
   }
 }
 

@@ -16,11 +16,11 @@ struct Shown {
 
 Shown shown_at(const assembly::Model& m, const assembly::State& state, std::size_t number) {
   const auto& plastic = state.history.plastic;
-  const auto remembered = plastic.empty() ? constitutive::PlasticState{} : plastic[number];
+  const auto own = plastic.empty() ? constitutive::PlasticState{} : plastic[number];
   const Mat2 F = assembly::material_deformation(m, static_cast<Index>(number), state.displacement);
   const auto& material = m.material(static_cast<Index>(number));
-  return {assembly::stress_of(material, F, remembered), remembered.accumulated,
-          plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(material, F, remembered)};
+  return {assembly::stress_of(material, F, own), own.accumulated,
+          plastic.empty() ? constitutive::Localisation{} : assembly::localisation_of(material, F, own)};
 }
 
 class BulkOutput {

@@ -94,16 +94,16 @@ void pass(Io& io, contact::ContactState& m) {
 }
 
 template <class Io>
-void pass(Io& io, contact::MultiplierState& hats) {
-  pass(io, hats.status, io);
-  pass(io, hats.multiplier);
-  pass(io, hats.mismatch);
-  pass(io, hats.coverage, io);
-  pass(io, hats.slope, io);
-  pass(io, hats.smooth, io);
-  io(hats.stored);
-  pass(io, hats.state, [&](contact::InterfaceState& state) { io(state.slip); });
-  pass(io, hats.anchor_maps, [&](contact::AnchorMap& t) {
+void pass(Io& io, contact::MultiplierState& multipliers) {
+  pass(io, multipliers.status, io);
+  pass(io, multipliers.multiplier);
+  pass(io, multipliers.mismatch);
+  pass(io, multipliers.coverage, io);
+  pass(io, multipliers.slope, io);
+  pass(io, multipliers.smooth, io);
+  io(multipliers.stored);
+  pass(io, multipliers.state, [&](contact::InterfaceState& state) { io(state.slip); });
+  pass(io, multipliers.anchor_maps, [&](contact::AnchorMap& t) {
     io(t.face);
     io(t.begin);
     io(t.end);

@@ -170,7 +170,8 @@ struct FailureAdvice {
   std::string operator()(std::monostate) const {
     return kind == FailureKind::Unloads ? "hardening, or a finer mesh: this is where the path of flow ends" : "";
   }
-  // Springs of one side's points jump where these pass a corner of the other; hats and springs of both sides share it.
+  // Springs of one side's points jump where these pass a corner of the other; mortar contact and springs of both sides
+  // share it.
   std::string operator()(const Unbalanced& f) const {
     return f.halved > 0 && has_springs(model)
                ? easier() + "; or, where corners pass each other, contact.method = \"mortar\""

@@ -61,17 +61,17 @@ std::string remark_on(const growth::Advance& a, const assembly::Model& model, do
   return out;
 }
 
-std::vector<std::string> remarks_on_growth(const problem::Specification& scene, const growth::Record& record) {
+std::vector<std::string> remarks_on_growth(const problem::Specification& specification, const growth::Record& record) {
   Lines out;
   bool may = false, did = false;
-  for (std::size_t k = 0; k < scene.cracks.size() && k < record.tips.size(); ++k) {
-    if (!scene.cracks[k].growth) continue;
+  for (std::size_t k = 0; k < specification.cracks.size() && k < record.tips.size(); ++k) {
+    if (!specification.cracks[k].growth) continue;
     may = true;
     std::vector<Vec2> path = record.points[k];
     for (const int end : {1, 0}) {
       const auto& tip = record.tips[k][end];
       did = did || tip.advances > 0;
-      about_growing_tip(name_of_tip(scene.cracks[k].name, end), tip, path, out);
+      about_growing_tip(name_of_tip(specification.cracks[k].name, end), tip, path, out);
       std::ranges::reverse(path);
     }
   }

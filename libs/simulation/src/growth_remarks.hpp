@@ -17,6 +17,6 @@ std::string remark_on(const growth::Advance& advance, const assembly::Model& mod
 
 /// On what cracks that may grow have done: none did, and how near one came; a tip that is hindered; a path that turns
 /// to and fro.
-std::vector<std::string> remarks_on_growth(const problem::Specification& scene, const growth::Record& record);
+std::vector<std::string> remarks_on_growth(const problem::Specification& specification, const growth::Record& record);
 
 }  // namespace cleft::simulation

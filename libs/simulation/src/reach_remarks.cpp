@@ -22,12 +22,12 @@ double expected_error(const assembly::Model& m, Index tip) {
   return radius < kSoundReach ? 4.0 : 1.0;
 }
 
-std::string remark_on_tip(const problem::Specification& scene, const assembly::Model& m, Index tip) {
+std::string remark_on_tip(const problem::Specification& specification, const assembly::Model& m, Index tip) {
   const geometry::TipBall& ball = m.cut.tips[tip];
   const double elements = elements_within_reach(m, tip);
   std::string out =
       fmt::format("crack '{}': the intensities of the tip {} are taken within {:.3g} m of it, {:.2g} element sizes",
-                  scene.cracks[ball.crack].name, m.words_for(ball.frame.tip()), ball.reach, elements);
+                  specification.cracks[ball.crack].name, m.words_for(ball.frame.tip()), ball.reach, elements);
   if (ball.reach < ball.radius)
     out += fmt::format(", where {} (the ball has {:.3g} m)", problem::end_of_reach(ball), ball.radius);
   const double error = expected_error(m, tip);
@@ -39,25 +39,25 @@ std::string remark_on_tip(const problem::Specification& scene, const assembly::M
 }
 
 template <class Deserves>
-std::vector<std::string> remarks_on_tips(const problem::Specification& scene, const assembly::Model& m,
+std::vector<std::string> remarks_on_tips(const problem::Specification& specification, const assembly::Model& m,
                                          const Deserves& deserves) {
   std::vector<std::string> out;
   for (Index tip = 0; tip < static_cast<Index>(m.cut.tips.size()); ++tip) {
     const auto& ball = m.cut.tips[tip];
-    if (problem::asks_for_intensities(scene.cracks[ball.crack], ball.end) && deserves(tip))
-      out.push_back(remark_on_tip(scene, m, tip));
+    if (problem::asks_for_intensities(specification.cracks[ball.crack], ball.end) && deserves(tip))
+      out.push_back(remark_on_tip(specification, m, tip));
   }
   return out;
 }
 
 }  // namespace
 
-std::vector<std::string> remarks_on_small_reach(const problem::Specification& scene, const assembly::Model& m) {
-  return remarks_on_tips(scene, m, [&](Index tip) { return expected_error(m, tip) > kSoundError; });
+std::vector<std::string> remarks_on_small_reach(const problem::Specification& specification, const assembly::Model& m) {
+  return remarks_on_tips(specification, m, [&](Index tip) { return expected_error(m, tip) > kSoundError; });
 }
 
-std::vector<std::string> remarks_on_reach(const problem::Specification& scene, const assembly::Model& m) {
-  return remarks_on_tips(scene, m, [&](Index tip) {
+std::vector<std::string> remarks_on_reach(const problem::Specification& specification, const assembly::Model& m) {
+  return remarks_on_tips(specification, m, [&](Index tip) {
     return expected_error(m, tip) > kSoundError || m.cut.tips[tip].reach < m.cut.tips[tip].radius;
   });
 }

@@ -36,11 +36,11 @@ void about_overlap(const solve::LoadStepper& stepper, Lines& out) {
                                   : "the mesh is too coarse for these loads; a finer one along the crack"));
 }
 
-void about_pressure(const problem::Specification& scene, const solve::LoadStepper& stepper, Lines& out) {
+void about_pressure(const problem::Specification& specification, const solve::LoadStepper& stepper, Lines& out) {
   const auto points = results::crack_profile(stepper);
   const auto sizes = problem::cut_sizes(stepper.model());
-  for (std::size_t k = 0; k < scene.cracks.size(); ++k) {
-    if (scene.cracks[k].mortar.on) continue;
+  for (std::size_t k = 0; k < specification.cracks.size(); ++k) {
+    if (specification.cracks[k].mortar.on) continue;
     for (const auto side : {geometry::Side::Left, geometry::Side::Right}) {
       std::vector<Pressed> along;
       for (const auto& p : points)
@@ -52,12 +52,12 @@ void about_pressure(const problem::Specification& scene, const solve::LoadSteppe
             fmt::format("crack '{}': the contact pressure oscillates: beyond one rise and one fall of a zone it varies "
                         "by {:.2g} times its maximum an element; a softer penalty, contact.method = \"mortar\", or a "
                         "finer mesh",
-                        scene.cracks[k].name, much));
+                        specification.cracks[k].name, much));
     }
   }
 }
 
-void about_energy(const problem::Specification& scene, const assembly::Energies& e, const results::Jumps& jumps,
+void about_energy(const problem::Specification& specification, const assembly::Energies& e, const results::Jumps& jumps,
                   Lines& out) {
   const double off = e.relative_imbalance();
   if (off < kUnbalanced) return;
@@ -66,15 +66,15 @@ void about_energy(const problem::Specification& scene, const assembly::Energies&
     text += fmt::format("an increment to load {:.6g} is too long, or the body jumps there to another equilibrium; ",
                         jumps.load);
   text += "smaller increments (loading.steps)";
-  if (jumps.increments > 0 && scene.loading.control == solve::Control::Load)
+  if (jumps.increments > 0 && specification.loading.control == solve::Control::Load)
     text += ", or loading.control = \"path\", which passes limit points";
   out.push_back(text);
 }
 
 // Whatever it asks for, flow prescribes the change of volume.
-void about_flow(const problem::Specification& scene, const assembly::Energies& e, Lines& out) {
+void about_flow(const problem::Specification& specification, const assembly::Energies& e, Lines& out) {
   const double share = e.plastic_dissipation / e.largest;
-  if (scene.f_bar || !(share > kFlows)) return;
+  if (specification.f_bar || !(share > kFlows)) return;
   out.push_back(
       fmt::format("{:.2g} % of the work went into flow, which keeps or prescribes the volume: triangles lock "
                   "in it, too stiff; compare with formulation.f_bar = true",
@@ -135,20 +135,20 @@ double worst_zone(std::vector<Pressed> along, double size) {
   return worst;
 }
 
-std::vector<std::string> remarks_after(const problem::Specification& scene, const growth::Evolution& evolution,
+std::vector<std::string> remarks_after(const problem::Specification& specification, const growth::Evolution& evolution,
                                        const results::Counts& counts) {
   Lines out;
   const auto& stepper = evolution.stepper();
   if (stepper.state().load > 0.0) {
     about_overlap(stepper, out);
-    about_pressure(scene, stepper, out);
-    about_energy(scene, stepper.state().energies, counts.jumps, out);
-    about_flow(scene, stepper.state().energies, out);
+    about_pressure(specification, stepper, out);
+    about_energy(specification, stepper.state().energies, counts.jumps, out);
+    about_flow(specification, stepper.state().energies, out);
   }
   about_rounding(counts.rounded, stepper, out);
-  std::ranges::move(remarks_on_growth(scene, evolution.record()), std::back_inserter(out));
+  std::ranges::move(remarks_on_growth(specification, evolution.record()), std::back_inserter(out));
   if (advances_of(evolution.record()) > 0)
-    std::ranges::move(remarks_on_small_reach(scene, evolution.model()), std::back_inserter(out));
+    std::ranges::move(remarks_on_small_reach(specification, evolution.model()), std::back_inserter(out));
   return out;
 }
 

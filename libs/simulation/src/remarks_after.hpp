@@ -27,7 +27,7 @@ double worst_zone(std::vector<Pressed> along, double size);
 /// faces that overlap, a contact pressure that oscillates, energy that is not accounted for, jumps to another
 /// equilibrium, flow in which triangles lock. On forces that rounding blurs: of some increments, or all of a body that
 /// bears next to nothing. On cracks that grow (remarks_on_growth), and on the reach of tips that have advanced.
-std::vector<std::string> remarks_after(const problem::Specification& scene, const growth::Evolution& evolution,
+std::vector<std::string> remarks_after(const problem::Specification& specification, const growth::Evolution& evolution,
                                        const results::Counts& counts);
 
 }  // namespace cleft::simulation

@@ -65,12 +65,12 @@ struct PenaltyWords {
 // A crack, and what there is to remark on it.
 class CrackRemarks {
  public:
-  CrackRemarks(const problem::Specification& scene, const assembly::Model& model, const Outline& outline,
+  CrackRemarks(const problem::Specification& specification, const assembly::Model& model, const Outline& outline,
                std::size_t number, Lines& out)
-      : scene_(scene),
+      : scene_(specification),
         model_(model),
         outline_(outline),
-        spec_(scene.cracks[number]),
+        spec_(specification.cracks[number]),
         cut_(model.cut.cracks[number]),
         springs_(model.surfaces.springs[number]),
         crack_("crack '" + spec_.name + "'"),
@@ -190,7 +190,7 @@ void CrackRemarks::about_penalty(double penalty, double scale, const PenaltyWord
                   penalty > scale ? words.if_stiff : words.if_soft));
 }
 
-void about_material(const problem::Specification& scene, const problem::MaterialSpec& m, Lines& out) {
+void about_material(const problem::Specification& specification, const problem::MaterialSpec& m, Lines& out) {
   const std::string material = "material '" + m.model + "'";
   if (m.young < kSoftest || m.young > kStiffest)
     out.push_back(
@@ -198,7 +198,7 @@ void about_material(const problem::Specification& scene, const problem::Material
   if (m.poisson < 0.0)
     out.push_back(
         fmt::format("{}: Poisson's ratio {:.4g} is negative: a body that is pulled grows wider", material, m.poisson));
-  if (m.poisson > kIncompressible && !scene.f_bar)
+  if (m.poisson > kIncompressible && !specification.f_bar)
     out.push_back(
         fmt::format("{}: with Poisson's ratio {:.4g} the volume hardly changes (bulk over shear modulus {:.3g}) "
                     "and triangles lock, too stiff; formulation.f_bar = true",
@@ -224,14 +224,14 @@ void about_boundary(const problem::BoundarySpec& b, double extent, Lines& out) {
                     b.name, far, extent));
 }
 
-void about_tractions(const problem::Specification& scene, Lines& out) {
-  const double softest = std::ranges::min(scene.materials, {}, &problem::MaterialSpec::young).young;
-  for (const auto& t : scene.tractions) {
+void about_tractions(const problem::Specification& specification, Lines& out) {
+  const double softest = std::ranges::min(specification.materials, {}, &problem::MaterialSpec::young).young;
+  for (const auto& t : specification.tractions) {
     const double traction = largest(t.amplitude) * t.value.norm();
     if (traction > kHeavy * softest)
       out.push_back(fmt::format("traction on '{}': {:.3g} Pa is {:.3g} times Young's modulus", t.on, traction,
                                 traction / softest));
-    for (const auto& b : scene.boundaries)
+    for (const auto& b : specification.boundaries)
       if (b.on == t.on && b.components()[0] && b.components()[1])
         out.push_back(
             fmt::format("traction on '{}': boundary '{}' prescribes all displacements there, so it only adds to "
@@ -249,19 +249,19 @@ double extent_of(const geometry::Mesh& mesh) {
 
 }  // namespace
 
-std::vector<std::string> remarks_before(const problem::Specification& scene, const assembly::Model& model) {
+std::vector<std::string> remarks_before(const problem::Specification& specification, const assembly::Model& model) {
   Lines out;
-  if (!scene.cracks.empty()) {
+  if (!specification.cracks.empty()) {
     const Outline outline(model.mesh);
-    const auto scale = problem::penalty_scale(scene, model), size = problem::cut_sizes(model);
-    for (std::size_t k = 0; k < scene.cracks.size(); ++k)
-      CrackRemarks(scene, model, outline, k, out).add(size[k], scale[k]);
+    const auto scale = problem::penalty_scale(specification, model), size = problem::cut_sizes(model);
+    for (std::size_t k = 0; k < specification.cracks.size(); ++k)
+      CrackRemarks(specification, model, outline, k, out).add(size[k], scale[k]);
   }
-  std::ranges::move(remarks_on_reach(scene, model), std::back_inserter(out));
-  for (const auto& material : scene.materials) about_material(scene, material, out);
+  std::ranges::move(remarks_on_reach(specification, model), std::back_inserter(out));
+  for (const auto& material : specification.materials) about_material(specification, material, out);
   const double extent = extent_of(model.mesh);
-  for (const auto& b : scene.boundaries) about_boundary(b, extent, out);
-  about_tractions(scene, out);
+  for (const auto& b : specification.boundaries) about_boundary(b, extent, out);
+  about_tractions(specification, out);
   return out;
 }
 

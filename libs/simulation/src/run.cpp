@@ -32,7 +32,8 @@ std::vector<results::CriticalPoint> critical_of(const std::string& history) {
 
 class Run {
  public:
-  Run(const problem::Specification& scene, const RunOptions& options) : scene_(scene), options_(options) {}
+  Run(const problem::Specification& specification, const RunOptions& options)
+      : scene_(specification), options_(options) {}
 
   void open();
   void advance_to_the_end();
@@ -237,9 +238,9 @@ void Run::write_summary() {
 
 }  // namespace
 
-RunResult run(const problem::Specification& scene, const RunOptions& options) {
+RunResult run(const problem::Specification& specification, const RunOptions& options) {
   set_blas_threads(options.threads);
-  Run run(scene, options);
+  Run run(specification, options);
   run.open();
   run.advance_to_the_end();
   return run.close();

@@ -107,7 +107,7 @@ Json growth_of(const growth::Evolution& evolution) {
 }
 
 // What came out of it.
-void add_outcome(Json& j, const problem::Specification& scene, const growth::Evolution& evolution,
+void add_outcome(Json& j, const problem::Specification& specification, const growth::Evolution& evolution,
                  const RunResult& result) {
   j["increments"] = result.increments;
   j["iterations"] = result.iterations;
@@ -116,17 +116,18 @@ void add_outcome(Json& j, const problem::Specification& scene, const growth::Evo
   j["overlap"] = result.overlap;
   j["worst_residual"] = result.worst_residual;
   j["newton_order"] = result.newton_order;
-  if (scene.exact && result.end == RunResult::End::Done) j["error"] = error_of(*scene.exact, evolution.stepper());
+  if (specification.exact && result.end == RunResult::End::Done)
+    j["error"] = error_of(*specification.exact, evolution.stepper());
   for (const auto& point : result.critical)
     j["critical_points"].push_back(
         {{"kind", name_of(point.kind)}, {"before", point.before}, {"load", point.load}, {"step", point.step}});
-  if (grows(scene)) j["growth"] = growth_of(evolution);
+  if (grows(specification)) j["growth"] = growth_of(evolution);
 }
 
 }  // namespace
 
-std::string summary(const problem::Specification& scene, const growth::Evolution& evolution, const RunResult& result,
-                    double total_seconds, const std::vector<std::string>& notes) {
+std::string summary(const problem::Specification& specification, const growth::Evolution& evolution,
+                    const RunResult& result, double total_seconds, const std::vector<std::string>& notes) {
   Json j;
   j["cleft"] = CLEFT_VERSION;
   j["end"] = name_of(result.end);
@@ -136,10 +137,10 @@ std::string summary(const problem::Specification& scene, const growth::Evolution
   j["unknowns"] = unknowns_of(evolution.stepper());
   j["factorisation"] = factorisation_of(evolution.model());
   add_costs(j, evolution, result, total_seconds);
-  add_outcome(j, scene, evolution, result);
+  add_outcome(j, specification, evolution, result);
   j["remarks"] = notes;
   for (const auto& remark : result.remarks) j["remarks"].push_back(remark);
-  j["scene"] = Json::parse(scene::to_json(scene));
+  j["scene"] = Json::parse(scene::to_json(specification));
   return j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

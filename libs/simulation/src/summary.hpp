@@ -10,7 +10,7 @@
 namespace cleft::simulation {
 
 /// The text of run.json. `total_seconds`: those of the run's earlier parts included. `notes`: the remarks before it.
-std::string summary(const problem::Specification& scene, const growth::Evolution& evolution, const RunResult& result,
-                    double total_seconds, const std::vector<std::string>& notes);
+std::string summary(const problem::Specification& specification, const growth::Evolution& evolution,
+                    const RunResult& result, double total_seconds, const std::vector<std::string>& notes);
 
 }  // namespace cleft::simulation

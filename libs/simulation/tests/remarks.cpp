@@ -209,9 +209,9 @@ TEST(Oscillation, IsThatOfEveryZoneOfContactByItself) {
   }
   EXPECT_NEAR(worst_zone(humps, 1.0), 0.0, 1e-12);
   EXPECT_NEAR(worst_zone(teeth, 1.0), (80 * 0.1 - 0.2) / 1.1 / 80.0, 1e-9);
-  std::vector<Pressed> chatter;
-  for (int k = 0; k <= 100; ++k) chatter.emplace_back(0.5 * k, 1.0 + k % 2, k % 3 != 0);
-  EXPECT_NEAR(worst_zone(chatter, 1.0), 1.0 / 3.0, 0.02) << "half of the maximum in three points, 1.5 elements";
+  std::vector<Pressed> uneven;
+  for (int k = 0; k <= 100; ++k) uneven.emplace_back(0.5 * k, 1.0 + k % 2, k % 3 != 0);
+  EXPECT_NEAR(worst_zone(uneven, 1.0), 1.0 / 3.0, 0.02) << "half of the maximum in three points, 1.5 elements";
   EXPECT_EQ(worst_zone({}, 1.0), 0.0);
 }
 

@@ -1,8 +1,8 @@
 // The block of Liu and Borja 2010, section 6.1: assembly of bulk and contact, pattern, factorisation and solution.
 #include <benchmark/benchmark.h>
 
-#include "../tests/small_models.hpp"
 #include "cleft/solve/stepping.hpp"
+#include "solve/tests/small_models.hpp"
 
 namespace {
 
@@ -22,9 +22,8 @@ void assemble(benchmark::State& state) {
 BENCHMARK(assemble)->Arg(16)->Arg(64);
 
 // In the last iteration of an increment in which the faces slide, by springs or by multipliers.
-void assemble_contact(benchmark::State& state, contact::NegativeSide side, bool mortar) {
-  auto model = models::block(static_cast<int>(state.range(0)), side);
-  if (mortar) models::use_mortar(model);
+void assemble_contact(benchmark::State& state, contact::NegativeSide side, models::Contact contact) {
+  const auto model = models::block(static_cast<int>(state.range(0)), side, geometry::Diagonal::Right, contact);
   LoadStepper stepper(model, {});
   for (int k = 0; k < 4; ++k)
     if (std::holds_alternative<assembly::Failure>(stepper.advance())) return state.SkipWithError("an increment failed");
@@ -35,10 +34,12 @@ void assemble_contact(benchmark::State& state, contact::NegativeSide side, bool 
   state.counters["ns_per_contact_point"] = 1e9 * assembler.seconds().contact / static_cast<double>(state.iterations()) /
                                            static_cast<double>(model.surfaces.points.size());
 }
-BENCHMARK_CAPTURE(assemble_contact, springs_one_side, contact::NegativeSide::Left, false)->Arg(32);
-BENCHMARK_CAPTURE(assemble_contact, springs_both_sides, contact::NegativeSide::Both, false)->Arg(32);
-BENCHMARK_CAPTURE(assemble_contact, mortar_one_side, contact::NegativeSide::Left, true)->Arg(32);
-BENCHMARK_CAPTURE(assemble_contact, mortar_both_sides, contact::NegativeSide::Both, true)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, springs_one_side, contact::NegativeSide::Left, models::Contact::Springs)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, springs_both_sides, contact::NegativeSide::Both, models::Contact::Springs)->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, mortar_one_side, contact::NegativeSide::Left, models::Contact::Multipliers)
+    ->Arg(32);
+BENCHMARK_CAPTURE(assemble_contact, mortar_both_sides, contact::NegativeSide::Both, models::Contact::Multipliers)
+    ->Arg(32);
 
 void pattern(benchmark::State& state) {
   const auto model = models::block(static_cast<int>(state.range(0)), contact::NegativeSide::Left);

@@ -3,10 +3,10 @@
 
 #include <cstdlib>
 
-#include "../tests/small_models.hpp"
 #include "cleft/assembly/assembler.hpp"
 #include "cleft/assembly/state.hpp"
 #include "mumps.hpp"
+#include "solve/tests/small_models.hpp"
 #include "umfpack.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-#include "../tests/small_models.hpp"
 #include "cleft/assembly/assembler.hpp"
+#include "solve/tests/small_models.hpp"
 
 namespace {
 

@@ -31,7 +31,7 @@ int replace(std::vector<Index>& last, std::size_t count, Value value) {
 
 }  // namespace
 
-// Points of mortar contact only show what its hats do; their partners may change without a kink.
+// Points of mortar contact only show what its multipliers do; their partners may change without a kink.
 void ActiveSet::points(const assembly::Model& model, const assembly::Assembler& assembler, Iteration& out) {
   const auto& pairs = assembler.pairs();
   const auto counts = [&](std::size_t p) {
@@ -44,10 +44,10 @@ void ActiveSet::points(const assembly::Model& model, const assembly::Assembler& 
   });
 }
 
-void ActiveSet::hats(const assembly::Assembler& assembler, Iteration& out) {
+void ActiveSet::multipliers(const assembly::Assembler& assembler, Iteration& out) {
   const auto& nodes = assembler.multipliers().nodes();
-  hat_changes_ = replace(hats_, nodes.size(), [&](std::size_t i) { return state_of(nodes[i]); });
-  out.status_changes += hat_changes_;
+  multiplier_changes_ = replace(multiplier_status_, nodes.size(), [&](std::size_t i) { return state_of(nodes[i]); });
+  out.status_changes += multiplier_changes_;
 }
 
 void ActiveSet::cells(const assembly::Assembler& assembler, const assembly::History& history, Iteration& out) {
@@ -60,9 +60,10 @@ void ActiveSet::cells(const assembly::Assembler& assembler, const assembly::Hist
 bool ActiveSet::update(const assembly::Model& model, const assembly::Assembler& assembler,
                        const assembly::History& history, Iteration& out) {
   points(model, assembler, out);
-  hats(assembler, out);
+  multipliers(assembler, out);
   cells(assembler, history, out);
-  const std::uint64_t now = hash(hash(hash(hash(14695981039346656037ULL, partner_), status_), hats_), flows_);
+  const std::uint64_t now =
+      hash(hash(hash(hash(14695981039346656037ULL, partner_), status_), multiplier_status_), flows_);
   const bool same = !met_.empty() && met_.back() == now;
   const bool again = !same && std::find(met_.begin(), met_.end(), now) != met_.end();
   if (!same) met_.push_back(now);

@@ -1,4 +1,4 @@
-// What contact points, hats and cells do from one iterate to the next.
+// What contact points, multipliers and cells do from one iterate to the next.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,24 @@
 
 namespace cleft::solve {
 
-/// The active set of an iteration: partners and status of the contact points, status of the hats, cells that flow.
+/// The active set of an iteration: partners and status of the contact points, state of the multipliers, cells that
+/// flow.
 class ActiveSet {
  public:
   /// Takes what the assembler found at an iterate, counts what differs from the one before, and tells whether an
   /// iterate of this increment, not the last one, had the same set: then the iteration goes round in circles.
   bool update(const assembly::Model& model, const assembly::Assembler& assembler, const assembly::History& history,
               Iteration& out);
-  /// Whether a hat of mortar contact is among what differed.
-  bool multipliers_change() const { return hat_changes_ > 0; }
+  /// Whether a multiplier of mortar contact is among what differed.
+  bool multipliers_change() const { return multiplier_changes_ > 0; }
 
  private:
   void points(const assembly::Model& model, const assembly::Assembler& assembler, Iteration& out);
-  void hats(const assembly::Assembler& assembler, Iteration& out);
+  void multipliers(const assembly::Assembler& assembler, Iteration& out);
   void cells(const assembly::Assembler& assembler, const assembly::History& history, Iteration& out);
 
-  std::vector<Index> partner_, status_, hats_, flows_;
-  int hat_changes_ = 0;
+  std::vector<Index> partner_, status_, multiplier_status_, flows_;
+  int multiplier_changes_ = 0;
   std::vector<std::uint64_t> met_;  // hashes of the sets so far
 };
 

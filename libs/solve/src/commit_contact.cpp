@@ -31,16 +31,16 @@ void commit_contact(const assembly::Model& model, const assembly::Assembler& ass
           weight * contact::touching_friction(model.surfaces, faces_before, assembler.face_positions(), index, pairs[p],
                                               history.contact[p]);
     energies.contact_pressure_work += weight * step.pressure;
-    history.contact[p] = step.memory;
+    history.contact[p] = step.end;
   }
 
   if (!model.surfaces.multiplier_space.empty()) {
-    auto& hats = history.multipliers;
-    auto step = assembler.multipliers().commit(model.surfaces, assembler.face_positions(), hats);
-    energies.contact += step.memory.stored;
+    auto& multipliers = history.multipliers;
+    auto step = assembler.multipliers().commit(model.surfaces, assembler.face_positions(), multipliers);
+    energies.contact += step.end.stored;
     energies.friction_dissipation += step.friction;
     energies.contact_pressure_work += step.pressure;
-    hats = std::move(step.memory);
+    multipliers = std::move(step.end);
   }
 }
 

@@ -1,4 +1,4 @@
-// The correction that solves the contact of the hats exactly where all else is linear.
+// The correction that solves the complementarity problem of the multipliers exactly, with all else linear.
 #pragma once
 
 #include <optional>

@@ -97,8 +97,8 @@ std::optional<assembly::Failure> NewtonIteration::solve_linear(const VecX& by_lo
   return std::nullopt;
 }
 
-// Where the contact does not settle by itself. What solves that of the hats beside the correction is taken unless a
-// part that they let go would fly away.
+// Contact that does not settle by itself: the correction that solves the multipliers' complementarity problem exactly
+// is added, unless a part of the body that it releases would fly away. Else the correction is halved.
 void NewtonIteration::settle_contact(const Bordered& system, Iteration& it, Correction& correction) {
   if (cycling_.struggles() && active_.multipliers_change()) {
     const auto more =

@@ -1,4 +1,4 @@
-// What rounding makes of the end of an iteration.
+// Judges the residual at which rounding ends an iteration.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,13 @@ class Resolution {
   Resolution(const RoundingFloor& rounding, const ForceNorms& forces, double largest_so_far)
       : rounding_(rounding), forces_(forces), largest_(std::max(forces.scale(), largest_so_far)) {}
 
-  /// The part of the forces that a residual is; 0 for a body whose forces are all rounding, as one that is moved
-  /// rigidly has them: that is no fault.
+  /// Residual over forces. It is 0 for a body whose forces are rounding alone (one that moves rigidly).
   double missing(double residual) const;
 
-  /// The failure where the springs of the contact are so stiff that their rounding is larger than what they should
-  /// transmit; none without a residual.
+  /// A failure if the springs of the contact are so stiff that their rounding exceeds the forces that they transmit.
   std::optional<assembly::Failure> refuse_springs(double residual) const;
 
-  /// Of an iteration that rounding has ended: why its residual, N/m, is none to accept; nothing if it is.
+  /// A failure if the residual, N/m, of an iteration that rounding has ended is too large to accept.
   std::optional<assembly::Failure> refuse(double residual) const;
 
  private:

@@ -72,11 +72,9 @@ TEST(Accuracy, LengthensTheIncrementThatWasMadeNotTheOneThatWasPlanned) {
 
 // A block is pressed and dragged there and back: what is stored comes back, and friction turns.
 assembly::Model dragged(double& turn) {
-  assembly::Model m = models::block(8, contact::NegativeSide::Left);
-  m.cracks = {{"main", {{-0.001, 0.0401}, {0.041, 0.0401}}}};
-  models::discretise(m, 1.0, 0.3, contact::NegativeSide::Left, 1e10);
-  models::use_mortar(m);
-  m.prescribed = {models::hold(m, "bottom", {0, 0}), models::hold(m, "top", {0, 0})};
+  const auto crack = problem::small::crack_with_multipliers({"main", {{-0.001, 0.0401}, {0.041, 0.0401}}}, 0.3,
+                                                            contact::NegativeSide::Left);
+  assembly::Model m = problem::build_model(problem::small::block({8, 16}, {0, 0}, crack));
   m.prescribed[1].displacement = [&turn](const Vec2&, geometry::MaybeSide, double load) {
     const double along = std::max(0.0, load <= turn ? (load - 0.1) / (turn - 0.1) : (1.0 - load) / (1.0 - turn));
     return Vec2(3e-4 * along, -8e-5 * std::min(1.0, load / 0.1));

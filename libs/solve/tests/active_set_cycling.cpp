@@ -16,24 +16,24 @@ Iteration at(double residual, int changes) {
   return it;
 }
 
-bool halves(ActiveSetCycling& chatter, int iteration, const Iteration& it, bool again = true) {
-  chatter.look_at(iteration, it, again);
-  return chatter.halves();
+bool halves(ActiveSetCycling& cycling, int iteration, const Iteration& it, bool again = true) {
+  cycling.look_at(iteration, it, again);
+  return cycling.halves();
 }
 
 TEST(ActiveSetCycling, IsAnActiveSetMetAgainWhileTheResidualStays) {
-  ActiveSetCycling chatter(kMost);
-  for (int k = 0; k < 4; ++k) EXPECT_FALSE(halves(chatter, k, at(k % 2 ? 0.8 : 1.0, 1))) << k;
-  EXPECT_TRUE(halves(chatter, 4, at(1.0, 1)));
-  EXPECT_TRUE(halves(chatter, 5, at(0.7, 1))) << "better than the one before, but not than half of the least";
-  EXPECT_FALSE(halves(chatter, 6, at(0.3, 1))) << "this leads out";
-  EXPECT_EQ(chatter.halved(), 2);
+  ActiveSetCycling cycling(kMost);
+  for (int k = 0; k < 4; ++k) EXPECT_FALSE(halves(cycling, k, at(k % 2 ? 0.8 : 1.0, 1))) << k;
+  EXPECT_TRUE(halves(cycling, 4, at(1.0, 1)));
+  EXPECT_TRUE(halves(cycling, 5, at(0.7, 1))) << "better than the one before, but not than half of the least";
+  EXPECT_FALSE(halves(cycling, 6, at(0.3, 1))) << "this leads out";
+  EXPECT_EQ(cycling.halved(), 2);
 }
 
 TEST(ActiveSetCycling, IsPointsThatChangeWithoutProgress) {
-  ActiveSetCycling chatter(kMost);
-  for (int k = 0; k < 5; ++k) EXPECT_FALSE(halves(chatter, k, at(1.0 + k, 1), false)) << k;
-  EXPECT_TRUE(halves(chatter, 5, at(6.0, 1), false));
+  ActiveSetCycling cycling(kMost);
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(halves(cycling, k, at(1.0 + k, 1), false)) << k;
+  EXPECT_TRUE(halves(cycling, 5, at(6.0, 1), false));
 }
 
 TEST(ActiveSetCycling, IsNotAResidualThatFallsOrPointsThatRest) {
@@ -60,26 +60,26 @@ TEST(ActiveSetCycling, LetsAZipGoOnUntilItIsThrough) {
 }
 
 TEST(ActiveSetCycling, EndsWithTheIterationsAllowedWhereNothingChanges) {
-  ActiveSetCycling chatter(kMost), one(1);
+  ActiveSetCycling cycling(kMost), one(1);
   for (int k = 0; k < kMost; ++k) {
-    halves(chatter, k, at(std::pow(0.9, k), 0), false);
-    EXPECT_FALSE(chatter.is_over()) << k;
+    halves(cycling, k, at(std::pow(0.9, k), 0), false);
+    EXPECT_FALSE(cycling.is_over()) << k;
   }
-  halves(chatter, kMost, at(std::pow(0.9, kMost), 0), false);
-  EXPECT_TRUE(chatter.is_over());
+  halves(cycling, kMost, at(std::pow(0.9, kMost), 0), false);
+  EXPECT_TRUE(cycling.is_over());
   halves(one, 0, at(1.0, 0), false);
   halves(one, 1, at(0.5, 3), false);
   EXPECT_TRUE(one.is_over()) << "one allowed";
 }
 
 TEST(ActiveSetCycling, EndsAZipThatHasNoEnd) {
-  ActiveSetCycling chatter(kMost);
+  ActiveSetCycling cycling(kMost);
   for (int k = 0; k < 8 * kMost; ++k) {
-    halves(chatter, k, at(1.0 - 1e-3 * k, 2), false);
-    EXPECT_FALSE(chatter.is_over()) << k;
+    halves(cycling, k, at(1.0 - 1e-3 * k, 2), false);
+    EXPECT_FALSE(cycling.is_over()) << k;
   }
-  halves(chatter, 8 * kMost, at(0.5, 2), false);
-  EXPECT_TRUE(chatter.is_over());
+  halves(cycling, 8 * kMost, at(0.5, 2), false);
+  EXPECT_TRUE(cycling.is_over());
 }
 
 }  // namespace

@@ -21,10 +21,10 @@ const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
   return nullptr;
 }
 
-const char* block_of(const contact::Pair& pair, const contact::ContactState& memory) {
+const char* block_of(const contact::Pair& pair, const contact::ContactState& past) {
   if (!presses(pair)) return "contact open";
   if (pair.state.ramp < 1.0) return "contact at a mouth";
-  if (memory.anchor_face == kNone) return "contact first touch";
+  if (past.anchor_face == kNone) return "contact first touch";
   return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
 }
 
@@ -51,9 +51,9 @@ bool faces_another_place(const contact::Multipliers& a, const contact::Multiplie
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out) {
   const auto& surfaces = model.surfaces;
-  const auto& hats = surfaces.multiplier_space;
+  const auto& space = surfaces.multiplier_space;
   const auto add_nodes = [&](Index interval) {
-    for (const Index node : {hats.intervals[interval].first, hats.intervals[interval].second})
+    for (const Index node : {space.intervals[interval].first, space.intervals[interval].second})
       out.push_back(surfaces.first_multiplier + node);
   };
   for (std::size_t i = 0; i < a.nodes().size(); ++i) {
@@ -63,26 +63,26 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
       out.push_back(surfaces.first_multiplier + static_cast<Index>(i));
   }
   const auto add_piece = [&](const contact::MortarSegment& mortar_segment) {
-    const auto& interval_part = hats.interval_parts[mortar_segment.interval_part];
+    const auto& interval_part = space.interval_parts[mortar_segment.interval_part];
     add_nodes(interval_part.interval);
     for (const Index face : {interval_part.face, mortar_segment.partner})
       for (const Index unknown : surfaces.faces[face].start.unknown) out.push_back(unknown);
   };
   // Where a partner or an anchor passes a vertex the integrands are continuous and the integrals differentiable. At the
   // end of an anchor map the slip jumps, at the end of a face its overhang begins, and at a vertex the ratio of lengths
-  // jumps that compares the tractions of two faces with hats.
+  // jumps that compares the tractions of two faces with hat functions.
   const auto at_end = [&](const contact::MortarSegment& mortar_segment) {
-    const auto& face = surfaces.faces[hats.interval_parts[mortar_segment.interval_part].face];
+    const auto& face = surfaces.faces[space.interval_parts[mortar_segment.interval_part].face];
     return std::array{face.previous == kNone && mortar_segment.begin == 0.0,
                       face.next == kNone && mortar_segment.end == 1.0};
   };
   const auto stands_out = [&](const contact::MortarSegment& mortar_segment) {
     const auto [first, last] = at_end(mortar_segment);
-    return mortar_segment.anchor_map == kNone || hats.on(mortar_segment.partner) || first || last;
+    return mortar_segment.anchor_map == kNone || space.on(mortar_segment.partner) || first || last;
   };
   const auto alike = [&](const contact::MortarSegment& p, const contact::MortarSegment& q) {
     return p.interval_part == q.interval_part && (p.anchor_map == kNone) == (q.anchor_map == kNone) &&
-           at_end(p) == at_end(q) && (!hats.on(p.partner) || p.partner == q.partner);
+           at_end(p) == at_end(q) && (!space.on(p.partner) || p.partner == q.partner);
   };
   const auto add_missing = [&](const contact::Multipliers& of, const contact::Multipliers& in) {
     for (const auto& mortar_segment : of.mortar_segments())
@@ -95,7 +95,7 @@ void add_kinks(const assembly::Model& model, const contact::Multipliers& a, cons
 }
 
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
-                         const contact::ContactState& memory) {
+                         const contact::ContactState& past) {
   PairUnknowns out;
   const auto add = [&](Index face) {
     if (face == kNone) return;
@@ -105,7 +105,7 @@ PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contac
   add(model.surfaces.points[point].face);
   add(pair.partner_face);
   out.forces = out.all.size();
-  add(memory.anchor_face);
+  add(past.anchor_face);
   add(pair.mouth_face);
   return out;
 }

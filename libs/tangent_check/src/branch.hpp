@@ -12,18 +12,18 @@ namespace cleft::tangent_check {
 /// other. Null if nothing does.
 const char* kink_between(const contact::Pair& a, const contact::Pair& b);
 
-/// Whether a contact point only shows what its crack's hats carry.
+/// Whether a contact point only shows the tractions of its crack's multipliers.
 inline bool is_mortar(const assembly::Model& model, Index point) {
   return model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[point].face].crack);
 }
 
 /// "contact stick" and the like.
-const char* block_of(const contact::Pair& pair, const contact::ContactState& memory);
+const char* block_of(const contact::Pair& pair, const contact::ContactState& past);
 
 /// "contact hat stick" and the like.
 const char* block_of(const contact::NodeState& node);
 
-/// Adds the unknowns in whose rows the hats' tractions or conditions are not differentiable between two states.
+/// Adds the unknowns in whose rows the multipliers' tractions or conditions are not differentiable between two states.
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out);
 
@@ -33,6 +33,6 @@ struct PairUnknowns {
   std::size_t forces = 0;
 };
 PairUnknowns unknowns_of(const assembly::Model& model, Index point, const contact::Pair& pair,
-                         const contact::ContactState& memory);
+                         const contact::ContactState& past);
 
 }  // namespace cleft::tangent_check

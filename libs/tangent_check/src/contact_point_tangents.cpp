@@ -42,9 +42,9 @@ void move_to_origin(Index point, const assembly::Model& from, const VecX& u, ass
 
 // Largest coordinate, or length, of the faces that matter to a pair.
 double reach_of(const contact::Surfaces& surfaces, const contact::FacePositions& at, const contact::Pair& pair,
-                const contact::ContactState& memory) {
+                const contact::ContactState& past) {
   double out = 0.0;
-  for (const Index f : {surfaces.points[0].face, pair.partner_face, memory.anchor_face, pair.mouth_face}) {
+  for (const Index f : {surfaces.points[0].face, pair.partner_face, past.anchor_face, pair.mouth_face}) {
     if (f == kNone) continue;
     const double length = (surfaces.faces[f].reference_end - surfaces.faces[f].reference_start).norm();
     out = std::max({out, length, at.start[f].norm(), at.end[f].norm()});
@@ -125,22 +125,22 @@ ContactPointTangents::Column ContactPointTangents::difference(assembly::Assemble
 
 void ContactPointTangents::check_point(Index point, double load, double tolerance, TangentReport& report,
                                        std::vector<double>& step) {
-  const auto& memory = history_.contact[point];
+  const auto& past = history_.contact[point];
   one_.surfaces.points = {whole_.surfaces.points[point]};
   move_to_origin(point, whole_, u_, one_, moved_);
-  one_history_.contact[0] = memory;
+  one_history_.contact[0] = past;
   assembly::Assembler assembler(one_);
   if (assembler.assemble(moved_, one_history_)) {
     report.kinks.push_back({"forces are not finite", load, kNone, point});
     return;
   }
   const contact::Pair base = assembler.pairs().front();
-  const auto unknowns = unknowns_of(whole_, point, base, memory).all;
+  const auto unknowns = unknowns_of(whole_, point, base, past).all;
   const auto components = components_of(unknowns);
   const Eigen::MatrixXd exact = dense(assembler.matrix(), components);
   const double faint = kFaint * exact.cwiseAbs().maxCoeff();
   const Eigen::VectorXd scale = exact.cwiseAbs().rowwise().maxCoeff().cwiseMax(faint);
-  reach_ = reach_of(one_.surfaces, assembler.face_positions(), base, memory);
+  reach_ = reach_of(one_.surfaces, assembler.face_positions(), base, past);
 
   std::vector<Column> columns;
   for (const Index component : components) {
@@ -150,7 +150,7 @@ void ContactPointTangents::check_point(Index point, double load, double toleranc
       return;
     }
   }
-  auto& block = report.blocks[block_of(base, memory)];
+  auto& block = report.blocks[block_of(base, past)];
   ++block.pieces;
   bool certain = true;
   for (std::size_t c = 0; c < components.size(); ++c) {

@@ -38,7 +38,7 @@ class Assembler {
   const VecX& contact_force() const { return contact_force_; }
   BlockMatrix& matrix() { return matrix_; }
   const BlockMatrix& matrix() const { return matrix_; }
-  /// Of all contact points; those of mortar contact show the tractions of its hats.
+  /// Of all contact points; those of mortar contact show the tractions of its multipliers.
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
   const contact::Multipliers& multipliers() const { return multipliers_; }
   /// What the material points would remember of this state; empty if the material has no memory.
@@ -63,8 +63,8 @@ class Assembler {
 
   struct PairColumns;  // the unknowns that the force at a contact point depends on
 
-  // A face that was opposite an interval part of hats, and where in the matrix their unknowns depend on each other: row
-  // by row.
+  // A face that was opposite an interval part of the multiplier space, and where in the matrix their unknowns depend on
+  // each other: row by row.
   struct Opposite {
     Index face;
     std::vector<BlockMatrix::Place> places;
@@ -77,9 +77,9 @@ class Assembler {
   void find_contact(const VecX& displacement, const History& history, contact::Conditions conditions);
   std::optional<Failure> assemble_bulk(const VecX& displacement, const History& history);
   void add_ties(const VecX& displacement);
-  void assemble_contact(const std::vector<contact::ContactState>& memory);
+  void assemble_contact(const std::vector<contact::ContactState>& past);
   void add_pair(const PairColumns& columns, const contact::PairForce& force);
-  void assemble_multipliers(const contact::MultiplierState& memory);
+  void assemble_multipliers(const contact::MultiplierState& past);
   void add_mortar_pair(std::size_t number);
   void add_anchor(Index mortar_segment, Index face);
   void add_facing(Index node);
@@ -109,7 +109,7 @@ class Assembler {
   std::vector<Places<3>> places_;  // of the cells
   std::vector<Places<4>> patch_places_;
   std::vector<Places<7>> tip_places_;            // of the tips' points
-  std::vector<std::vector<Opposite>> opposite_;  // per interval part of the hats, those met since the pattern was built
+  std::vector<std::vector<Opposite>> opposite_;  // per interval part, the faces met since the pattern was built
   ReservedCouplings reserved_;
   long version_ = 0;
   AssemblySeconds seconds_;

@@ -13,16 +13,16 @@ struct Stress {
   double out_of_plane = 0.0;
 };
 
-/// What a material answers to a deformation gradient (small strain: to the displacement gradient, kinematics.hpp), with
-/// what it remembers of the end of the step (nothing needed without memory).
-Stress stress_of(const Material& material, const Mat2& deformation, const constitutive::PlasticState& remembered = {});
+/// Stress of a material at a deformation gradient (small strain: at the displacement gradient, kinematics.hpp) and the
+/// plastic state at the end of the increment; elastic materials have none.
+Stress stress_of(const Material& material, const Mat2& deformation, const constitutive::PlasticState& state = {});
 
-/// Localisation function (localisation.hpp) of a material at rest at a deformation gradient (likewise): 1 where it does
-/// not flow, and in all materials without memory.
+/// Localisation function (localisation.hpp) of a material at the same two: 1 where it does not flow, and in elastic
+/// materials.
 constitutive::Localisation localisation_of(const Material& material, const Mat2& deformation,
-                                           const constitutive::PlasticState& remembered);
+                                           const constitutive::PlasticState& state);
 
-/// What a material that has been at rest so far answers to a displacement gradient, of any size.
+/// Response of a material without plastic strain to a displacement gradient of any size.
 constitutive::Response respond_from_rest(const Material& material, const Mat2& displacement_gradient);
 
 }  // namespace cleft::assembly

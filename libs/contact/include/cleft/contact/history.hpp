@@ -1,5 +1,5 @@
 /// \file
-/// Moving anchors: what contact points remember once an increment has converged.
+/// Moving anchors: the states of contact points at the end of a converged increment.
 #pragma once
 
 #include "cleft/contact/search.hpp"
@@ -8,7 +8,7 @@ namespace cleft::contact {
 
 /// State of a point, and the work of its tractions in one increment that is not stored, J/m^2 of reference area.
 struct CommittedPoint {
-  ContactState memory;
+  ContactState end;
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
   double pressure = 0.0;  ///< of the pressure along sloping faces, and of springs that lose their partner
 };
@@ -28,18 +28,18 @@ struct CommittedPoint {
 /// strength times slide, so reckoned that it is exact where the strength stays the same. The others are by the
 /// trapezoidal rule.
 CommittedPoint commit(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
-                      const ContactState& memory);
+                      const ContactState& past);
 
 /// Friction, J/m^2, of a point that was open and touches at the end of an increment. When it touched is not known: half
 /// of the increment counts, over which the pressure rises from 0. The law lets the point slide freely until its first
 /// increment has ended, and so the balance of energies misses this work. `before`: positions at its beginning,
 /// `state` of that time.
 double touching_friction(const Surfaces& surfaces, const FacePositions& before, const FacePositions& at, Index point,
-                         const Pair& pair, const ContactState& memory);
+                         const Pair& pair, const ContactState& past);
 
 /// State of a point that carries no traction of its own (mortar contact): its anchor is its partner, and its slip what
 /// it has moved from the last one while it slid.
 ContactState follow(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
-                    const ContactState& memory);
+                    const ContactState& past);
 
 }  // namespace cleft::contact

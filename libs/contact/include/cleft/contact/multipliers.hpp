@@ -102,7 +102,7 @@ struct NodeCondition {
 
 /// State of the hat functions, and the work of their tractions in one increment that is not stored, J/m.
 struct CommittedMultipliers {
-  MultiplierState memory;
+  MultiplierState end;
   double friction = 0.0;  ///< dissipated: 0 without friction, and never negative
   double pressure = 0.0;  ///< of the pressure along sloping faces and at mouths, and what Z takes up and does not store
 };
@@ -116,7 +116,7 @@ class Multipliers {
  public:
   /// At the displacements `x` (all components; the multipliers among them), with the partners of the contact points.
   void run(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs, const VecX& x,
-           const MultiplierState& memory, Conditions conditions = Conditions::OwnState);
+           const MultiplierState& past, Conditions conditions = Conditions::OwnState);
 
   const std::vector<MortarSegment>& mortar_segments() const { return mortar_segments_; }
   const std::vector<MortarPair>& mortar_pairs() const { return mortar_pairs_; }
@@ -132,20 +132,20 @@ class Multipliers {
   /// that side.
   Traction traction(const Surfaces& surfaces, Index face, double eta) const;
 
-  /// What the hat functions remember once the increment has converged, and the work of their tractions.
+  /// The state at the end of the converged increment, and the work of the tractions.
   CommittedMultipliers commit(const Surfaces& surfaces, const FacePositions& at, const MultiplierState& before) const;
 
  private:
   void find_mortar_pairs(const Surfaces& surfaces, const FacePositions& at, const std::vector<Pair>& pairs,
-                         const MultiplierState& memory);
+                         const MultiplierState& past);
   void face_each_other(const Surfaces& surfaces, const FacePositions& at);
   Facing borne_at(const Surfaces& surfaces, Index mortar_pair, const ValueAndGradient& place) const;
   void find_reached(const Surfaces& surfaces);
   struct Smoothing;
   class Rows;
-  Smoothing smooth(const Surfaces& surfaces, Index node, const MultiplierState& memory);
-  void choose_conditions(const Surfaces& surfaces, Index node, const MultiplierState& memory, Conditions conditions);
-  void choose_by_trial(const Surfaces& surfaces, Index node, const MultiplierState& memory, Rows& rows);
+  Smoothing smooth(const Surfaces& surfaces, Index node, const MultiplierState& past);
+  void choose_conditions(const Surfaces& surfaces, Index node, const MultiplierState& past, Conditions conditions);
+  void choose_by_trial(const Surfaces& surfaces, Index node, const MultiplierState& past, Rows& rows);
   MultiplierState remembered(const Surfaces& surfaces, const FacePositions& at) const;
   double stored_energy(const Surfaces& surfaces) const;
   double friction_work(const Surfaces& surfaces, Index node, const MultiplierState& before) const;

@@ -20,9 +20,9 @@ struct Pair {
 };
 
 /// Whether the point's anchor is on the same face of the same crack as `partner_face`.
-inline bool holds_on(const Surfaces& surfaces, const ContactState& memory, Index partner_face) {
-  if (memory.anchor_face == kNone) return false;
-  const auto &anchor = surfaces.faces[memory.anchor_face], &partner = surfaces.faces[partner_face];
+inline bool holds_on(const Surfaces& surfaces, const ContactState& past, Index partner_face) {
+  if (past.anchor_face == kNone) return false;
+  const auto &anchor = surfaces.faces[past.anchor_face], &partner = surfaces.faces[partner_face];
   return anchor.crack == partner.crack && anchor.side == partner.side;
 }
 
@@ -47,13 +47,13 @@ class Search {
   /// face that faces it (n_+ . n < 0) within the search radius, which is the larger of 5 element sizes and ten times
   /// `deepest`, the largest penetration so far (metres), unless the surfaces set one. Past the free end of a face its
   /// last segment counts as continued until the point's whole share has passed.
-  void run(const Surfaces& surfaces, const VecX& displacement, const std::vector<ContactState>& memory, double deepest,
+  void run(const Surfaces& surfaces, const VecX& displacement, const std::vector<ContactState>& past, double deepest,
            std::vector<Pair>& pairs);
 
   const FacePositions& positions() const { return positions_; }
 
  private:
-  void find_nearest(const Surfaces& surfaces, const std::vector<ContactState>& memory, double deepest,
+  void find_nearest(const Surfaces& surfaces, const std::vector<ContactState>& past, double deepest,
                     std::vector<Pair>& pairs);
   void collect_partners(const Surfaces& surfaces);
 
@@ -64,12 +64,12 @@ class Search {
 };
 
 /// What springs and law answer to the gaps of a pair, at either strain, from what the point remembers.
-ContactResponse response(const Surfaces& surfaces, Index point, const Pair& pair, const ContactState& memory);
+ContactResponse response(const Surfaces& surfaces, Index point, const Pair& pair, const ContactState& past);
 
 /// The six points of a pair, from current positions.
 PairPoints pair_points(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
-                       const ContactState& memory);
+                       const ContactState& past);
 PairConstants pair_constants(const Surfaces& surfaces, const FacePositions& at, Index point, const Pair& pair,
-                             const ContactState& memory);
+                             const ContactState& past);
 
 }  // namespace cleft::contact

@@ -17,10 +17,10 @@
 namespace cleft::contact {
 
 /// The point opposite, with gaps and tractions, at the displacements of the faces.
-Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index point, const ContactState& memory);
+Pair opposite(const Surfaces& surfaces, const FacePositions& at, Index point, const ContactState& past);
 
 /// Internal force (N/m) and its derivative; the anchor and the mouth have no columns of their own.
-PairForce force_undeformed(const Surfaces& surfaces, Index point, const Pair& pair, const ContactState& memory);
+PairForce force_undeformed(const Surfaces& surfaces, Index point, const Pair& pair, const ContactState& past);
 
 /// Where the anchor lies, as a place on the face, at which the tangential gap is `target` (metres).
 double anchor_place_at(const Surfaces& surfaces, const FacePositions& at, Index point, double target);

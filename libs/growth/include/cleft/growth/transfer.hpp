@@ -19,7 +19,7 @@ namespace cleft::growth {
 ///   history to the last bit. The mean may lie beyond yield, which the balance after it mends. Bodies
 ///   with patches (assembly/f_bar.hpp) keep elastic volumes and not plastic ones, theory (10.11), since cells may
 ///   have other partners than before: so pressures stay, nothing makes energy, and histories are kept to rounding.
-/// - Contact points on old faces keep their memory and their anchors, by crack, side and arc length; those on new faces
+/// - Contact points on old faces keep their states and their anchors, by crack, side and arc length; those on new faces
 ///   are anchored at the point opposite and free of stress.
 /// - Nothing is known of the increment before.
 assembly::State transfer(const assembly::Model& from, const assembly::State& state, const assembly::Model& to);

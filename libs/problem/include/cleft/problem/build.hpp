@@ -11,7 +11,7 @@ namespace cleft::problem {
 /// Meshes, cuts, numbers and binds boundary values. A body far from the scene's origin gets coordinates of its own
 /// (assembly::Model::origin). Throws InputError, located in the scene, on what only then shows: a
 /// crack outside the body, boundaries that contradict each other at a shared node, a box without nodes.
-assembly::Model build_model(const Specification& scene);
+assembly::Model build_model(const Specification& specification);
 
 /// The same body on the same mesh with other cracks: as many of them as `model` has, grown. Penalties stay. Throws
 /// InputError.
@@ -20,12 +20,12 @@ assembly::Model recut(const Specification& specification, const assembly::Model&
 
 /// Young's modulus over the mean size of the elements that each crack cuts, Pa/m: the default of both penalties. Of
 /// several materials along a crack the softest counts.
-std::vector<double> penalty_scale(const Specification& scene, const assembly::Model& model);
+std::vector<double> penalty_scale(const Specification& specification, const assembly::Model& model);
 
 /// Mean size of the elements that each crack cuts, metres: the side of a square of two such triangles.
 std::vector<double> cut_sizes(const assembly::Model& model);
 
-solve::StepControls step_controls(const Specification& scene);
+solve::StepControls step_controls(const Specification& specification);
 
 /// Norms of the error against an exact solution in the model's coordinates, and of that solution itself: L2 of the
 /// displacement (m^2), and the energy norm of small strain (sqrt(J/m)).

@@ -22,12 +22,12 @@ using Field = std::function<Vec2(const Vec2& reference, geometry::MaybeSide side
 ///  - `mode-I`, `mode-II`: the near field of a crack tip in an infinite plane under plane strain, small strain;
 ///    parameters tip_x, tip_y (default 0), angle (degrees of the direction ahead of the tip, default 0), K (Pa sqrt(m),
 ///    default 1e6). Sides are those of a crack that runs into the tip;
-///  - `closed-crack`: a crack with Coulomb friction, closed by remote tractions in an infinite plane under plane
-///  strain,
+///  - `closed-crack`: a crack with Coulomb friction, closed by remote tractions in an infinite plane, plane strain,
 ///    small strain; parameters center_x, center_y (default 0), angle (degrees of its direction, default 0), half_length
 ///    a (metres, default 1), and in its axes sigma_n (Pa, not above 0, default -1e5), tau (Pa, default 0), with no
-///    stress along it, and friction (default 0). Where |tau| exceeds friction |sigma_n|, by tau_eff, it slips by 4 (1 -
-///    nu^2) / E tau_eff sqrt(a^2 - x^2) (Phan, Napier, Gray and Kaplan 2003); else it sticks and the stress is uniform;
+///    stress along it, and friction (default 0). Where |tau| exceeds friction |sigma_n|, by tau_eff, the crack slips by
+///    4 (1 - nu^2) / E tau_eff sqrt(a^2 - x^2) (Phan, Napier, Gray and Kaplan 2003). Elsewhere it sticks, and the
+///    stress is uniform;
 ///  - `open-crack`: a crack with free faces in an infinite plane under remote stress that opens it, plane strain, small
 ///    strain (Westergaard 1939); parameters center_x, center_y, angle and half_length a as above, and in its axes
 ///    sigma_n (Pa, above 0, default 1e5), tau and the stress along it sigma_t (Pa, default 0). At both tips K_I =

@@ -202,7 +202,7 @@ struct Specification {
 };
 
 /// Whether some crack may grow, and whether this one does by its stress intensity factors.
-bool grows(const Specification& scene);
+bool grows(const Specification& specification);
 bool grows_by_intensities(const CrackSpec& crack);
 
 }  // namespace cleft::problem

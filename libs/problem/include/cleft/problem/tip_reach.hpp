@@ -30,6 +30,6 @@ bool asks_for_intensities(const CrackSpec& crack, int end);
 /// Throws InputError, located in the scene, where intensities are asked for and a tip has none to tell: less than half
 /// an element size within its reach, advances shorter than that (after which the crack bends), or a boundary condition
 /// on a node within it.
-void refuse_narrow_tips(const Specification& scene, const assembly::Model& model);
+void refuse_narrow_tips(const Specification& specification, const assembly::Model& model);
 
 }  // namespace cleft::problem

@@ -7,6 +7,6 @@
 
 namespace cleft::simulation {
 
-results::Contents contents_of(const problem::Specification& scene);
+results::Contents contents_of(const problem::Specification& specification);
 
 }  // namespace cleft::simulation

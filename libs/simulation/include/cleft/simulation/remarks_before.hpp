@@ -14,6 +14,6 @@ namespace cleft::simulation {
 /// or lie close to the boundary, few elements along a crack or in the ball of a tip, no friction, penalties far from
 /// E/h, Poisson's ratios at which triangles lock or below 0, displacements that are not zero at load 0, tractions where
 /// nothing can move.
-std::vector<std::string> remarks_before(const problem::Specification& scene, const assembly::Model& model);
+std::vector<std::string> remarks_before(const problem::Specification& specification, const assembly::Model& model);
 
 }  // namespace cleft::simulation

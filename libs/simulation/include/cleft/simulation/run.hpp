@@ -59,6 +59,6 @@ struct RunResult : results::Counts {
 /// Solves the scene into the directory. Everything is validated before anything is written. Throws InputError on a bad
 /// scene, std::runtime_error where the folder cannot be used or a checkpoint does not fit. A file that cannot be
 /// written later ends the run after what its last checkpoint holds.
-RunResult run(const problem::Specification& scene, const RunOptions& options);
+RunResult run(const problem::Specification& specification, const RunOptions& options);
 
 }  // namespace cleft::simulation

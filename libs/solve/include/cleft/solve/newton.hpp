@@ -69,18 +69,21 @@ struct NewtonProblem {
   IterationObserver observer{};
 };
 
-/// A residual that rounding leaves is not worth a word up to this part of the forces.
+/// A residual that rounding leaves is reported if it exceeds this part of the forces.
 inline constexpr double kUnnoticedResidual = 1e-5;
 
-/// Solves for the goal with contact partners, active set and stick or slip found anew in every iteration. Converged
-/// when residual and last correction are both below their tolerances, or when rounding ends the iteration: the residual
-/// is at its level, and is below kUnnoticedResidual of the largest force that the run has had or no longer falls. One
-/// above 1e-2 is a failure, and so are contact springs so stiff that their rounding hides the forces; of a body that
-/// bears nothing all forces are rounding, which is none. A correction that the stiffness turns into forces below the
-/// residual's tolerance is small, too: in a hold there is no displacement to compare it with. The last correction is
-/// made with the factors of the one before if these suffice. Where hats still change late in the iteration the
-/// correction solves their contact exactly, with all else linear; where points return to an active set and the residual
-/// does not fall (active-set cycling), corrections are halved.
+/// Solves for the goal. Every iteration finds contact partners, active set and stick or slip anew. The iteration has
+/// converged in one of two cases:
+///
+/// - residual and last correction are both below their tolerances. A correction also counts as small if the stiffness
+///   turns it into forces below the residual's tolerance: a held load has no displacement to compare it with;
+/// - rounding ends it: the residual is at the level of rounding, and it no longer falls or is below kUnnoticedResidual
+///   of the largest force so far. A residual above 1e-2 of the forces is a failure, and so are contact springs so stiff
+///   that their rounding hides the forces. A body without load has forces of rounding alone, which is no failure.
+///
+/// The last correction reuses the factors of the one before if they suffice. Where multipliers still change late in the
+/// iteration, the correction solves their complementarity problem exactly, with all else linear. Where the active set
+/// returns and the residual does not fall (active-set cycling), corrections are halved.
 ///
 /// Along a path the load is one more unknown and w . (u - u_n) = arc increment one more equation, with w the state's
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.

@@ -12,7 +12,7 @@
 
 namespace cleft::solve {
 
-/// What an increment is a part of: of the load always, or also of the path of solutions, where the load may fall.
+/// What is incremented: the load alone, or the arc length of the path of solutions where the load may fall.
 enum class Control : std::uint8_t { Load, Path };
 constexpr std::array<Named<Control>, 2> names_of(Control) {
   return {{{Control::Load, "load"}, {Control::Path, "path", "where the load fails to rise, that which turns back"}}};
@@ -21,15 +21,15 @@ constexpr std::array<Named<Control>, 2> names_of(Control) {
 struct StepControls {
   int steps = 50;               ///< equal increments from load 0 to 1
   std::vector<double> outputs;  ///< further loads that are hit exactly, ascending
-  /// Part of its share of the largest energy so far that an increment longer than 1/steps may miss, or it is made anew;
-  /// 0: none is longer. The size of each follows from what the one before missed.
+  /// Error of the work that an increment longer than 1/steps may have, over its share of the largest energy so far.
+  /// An increment beyond it is solved again, shorter. The error sets the size of the next one. 0: none is longer.
   double accuracy = 0.0;
   std::vector<double> kinks;  ///< loads at which an amplitude turns; they are hit, ascending
   /// Smallest increment of the load before the run is given up; at most a hundredth of the way to the next load to hit.
   double min_step = 1e-4;
-  /// What a cell may flow by in an increment of the load, as growth of its plastic multiplier, before that is halved,
-  /// down to a sixteenth of 1/steps. The return map takes the direction of flow at the end for that of the whole
-  /// increment: too long ones flow too easily, and a run of them comes to a limit load that the body does not have.
+  /// Largest growth of a plastic multiplier in an increment. An increment beyond it is halved, down to a sixteenth of
+  /// 1/steps. The return map uses the direction of flow at the end of the increment: long increments flow too easily,
+  /// and a run of them finds a limit load that the body does not have.
   double max_flow = std::numeric_limits<double>::infinity();
   Control control = Control::Load;
   NewtonControls newton;
@@ -115,7 +115,8 @@ class LoadStepper {
     return {model_, state_.load, state_.displacement, state_.history.plastic, pairs_};
   }
   const std::vector<assembly::Constraint>& constraints() const { return constraints_; }
-  /// Pairs of the last converged increment, with tractions and gaps; memory in `state()` is already that of the next.
+  /// Pairs of the last converged increment, with tractions and gaps; the history in `state()` is already that of the
+  /// next.
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
   const contact::FacePositions& face_positions() const { return assembler_.face_positions(); }
   const assembly::Assembler& assembler() const { return assembler_; }
