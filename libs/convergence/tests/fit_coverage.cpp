@@ -152,6 +152,7 @@ TEST_P(FitCoverage, IsWhatTheIntervalsPromise) {
     if (asked != nullptr) row.print(cell);
   }
   EXPECT_GE(finest, 0.9 * drawn);
+  if (20 * determined < drawn) return;  // what scatter determines by luck is too little to tell shares of
   EXPECT_GE(order, 0.85 * determined) << "of " << determined;
   EXPECT_GE(limit, 0.9 * determined) << "nearer than the finest result, of " << determined;
 }
