@@ -14,9 +14,9 @@ namespace cleft::convergence {
 namespace {
 
 constexpr std::size_t kLeastMeshes = 4;  // that may determine an order
-constexpr double kOrderKnownTo = 0.5;    // of the order
+constexpr double kOrderKnownTo = 0.35;    // of the order
 constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
-constexpr double kSafety = 1.25, kSafetyUndetermined = 1.75, kSafetyOfThree = 3.0;
+constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
 constexpr double kContradiction = 1.5;  // of a smaller window's half width
 
 double farthest(const Interval& interval, double value) {

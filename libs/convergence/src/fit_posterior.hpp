@@ -18,7 +18,7 @@
 
 namespace cleft::convergence {
 
-inline constexpr double kLeastOrder = 0.45, kMostOrder = 5.0;  ///< of p
+inline constexpr double kLeastOrder = 0.35, kMostOrder = 5.0;  ///< of p
 inline constexpr std::size_t kMostMeshes = 12;
 
 /// What contains 95 % of a posterior: from 2.5 to 97.5 %.

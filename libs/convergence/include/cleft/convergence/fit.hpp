@@ -54,7 +54,7 @@ struct LimitFit {
   /// cases. It is a grid convergence index (ASME V&V 20): `safety` times the error, of which the largest is taken that
   /// the data allow with 95 %. NaN with a known limit, of which the error is known.
   double finest_pm = kNotKnown;
-  double safety = kNotKnown;  ///< 1.25 where determined, 1.75 where not, 3 of three meshes
+  double safety = kNotKnown;  ///< 1.25 where determined, 2 where not, 3 of three meshes
 
   bool determined = false;  ///< whether the data determine p and (if it is not given) the limit; four meshes at least
   std::string remark;       ///< why not
