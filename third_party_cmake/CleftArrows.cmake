@@ -2,7 +2,7 @@
 # this table is refused: by `cleft_library` when a library declares it, and by the test `build.Includes.FollowTheDeclaredArrows` when an #include draws it.
 
 set(CLEFT_LIBRARIES
-  support geometry enrichment constitutive contact assembly solve problem growth results scene simulation tangent_check plot convergence report)
+  support geometry enrichment constitutive contact assembly solve problem growth results scene simulation tangent_check plot convergence objectivity report)
 
 set(CLEFT_ALLOWED_support "")
 set(CLEFT_ALLOWED_geometry support)
@@ -19,6 +19,7 @@ set(CLEFT_ALLOWED_simulation support geometry enrichment constitutive contact as
 set(CLEFT_ALLOWED_tangent_check support geometry enrichment constitutive contact assembly solve problem growth results)
 set(CLEFT_ALLOWED_plot support)
 set(CLEFT_ALLOWED_convergence support problem results scene simulation plot)
+set(CLEFT_ALLOWED_objectivity support geometry contact solve problem scene simulation plot convergence)
 set(CLEFT_ALLOWED_report support problem scene results plot)
 
 # Stops the configuration unless library `name` may depend directly on each library that follows.

@@ -44,6 +44,7 @@ int dispatch(int argc, char** argv) {
   add_converge(app, result);
   add_newton(app, result);
   add_tangent(app, result);
+  add_swap(app, result);
   add_report(app, result);
   add_manual(app, result);
   try {

@@ -13,6 +13,7 @@ void add_run(CLI::App& app, int& result);
 void add_check(CLI::App& app, int& result);
 void add_tangent(CLI::App& app, int& result);
 void add_newton(CLI::App& app, int& result);
+void add_swap(CLI::App& app, int& result);
 void add_converge(CLI::App& app, int& result);
 void add_init(CLI::App& app, int& result);
 void add_scene(CLI::App& app, int& result);

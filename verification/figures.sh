@@ -74,7 +74,7 @@ rows() { awk -F, -v load="$2" 'NR > 1 && ($1 - load) ^ 2 < 1e-18' "$1"; }
 # Figure 11: residuals of the iterations on mesh 2
 {
   echo "load,iteration,residual"
-  awk -F, 'NR > 1 && (($2 - 0.1) ^ 2 < 1e-18 || ($2 - 0.3) ^ 2 < 1e-18 || ($2 - 0.5) ^ 2 < 1e-18 || ($2 - 0.7) ^ 2 < 1e-18 || ($2 - 1) ^ 2 < 1e-18) {
+  awk -F, 'NR > 1 && $20 == 0 && (($2 - 0.1) ^ 2 < 1e-18 || ($2 - 0.3) ^ 2 < 1e-18 || ($2 - 0.5) ^ 2 < 1e-18 || ($2 - 0.7) ^ 2 < 1e-18 || ($2 - 1) ^ 2 < 1e-18) {
     print $2 "," $3 "," $4 }' "$out/left_16/newton.csv"
 } > "$out/figure11_newton.csv"
 
@@ -129,7 +129,7 @@ yields 18 s_crack 0 0 24 10
 {
   echo "load,iteration,residual"
   for load in 0.25 0.5 0.75 1; do
-    awk -F, -v load="$load" 'NR > 1 && ($2 - load) ^ 2 < 1e-18 { print $2 "," $3 "," $4 }' "$out/s_crack/newton.csv"
+    awk -F, -v load="$load" 'NR > 1 && $20 == 0 && ($2 - load) ^ 2 < 1e-18 { print $2 "," $3 "," $4 }' "$out/s_crack/newton.csv"
   done
 } > "$out/figure20_newton.csv"
 

@@ -36,6 +36,11 @@ std::string switched_on(const problem::Specification& scene, const assembly::Mod
   return out;
 }
 
+std::string describe(const contact::InterfaceLaw& law) {
+  const auto* coulomb = std::get_if<contact::Coulomb>(&law);
+  return coulomb ? fmt::format("friction {}", coulomb->friction) : "a law without words";
+}
+
 std::string describe(const problem::GrowthLaw& law) {
   const char* const tips = law.tips[0] && law.tips[1] ? "both tips" : law.tips[0] ? "the start" : "the end";
   const std::string when =
@@ -136,13 +141,12 @@ int check(const Options& options) {
     print("crack", fmt::format("{}: {} segments, {}, {}", model.cracks[k].name, cut.last_segment - cut.first_segment,
                                end(cut.ends[0]), end(cut.ends[1])));
     const auto& springs = model.surfaces.springs[k];
-    const double friction = std::get<contact::Coulomb>(scene.cracks[k].law).friction;  // the law that files know
+    const std::string law = describe(scene.cracks[k].law);
     if (scene.cracks[k].growth) print("", describe(*scene.cracks[k].growth));
     const auto& mortar = scene.cracks[k].mortar;
-    print("", mortar.on ? fmt::format("friction {}, mortar contact, smoothing {}, multipliers every {} element sizes",
-                                      friction, mortar.smoothing, mortar.hat_width)
-                        : fmt::format("friction {}, penalties {:.4g} and {:.4g} Pa/m", friction, springs.normal,
-                                      springs.tangential));
+    print("", mortar.on ? fmt::format("{}, mortar contact, smoothing {}, multipliers every {} element sizes", law,
+                                      mortar.smoothing, mortar.hat_width)
+                        : fmt::format("{}, penalties {:.4g} and {:.4g} Pa/m", law, springs.normal, springs.tangential));
   }
   if (model.cut.snapped > 0)
     print("snapped crossings", fmt::format("{} (within 1e-6 of an edge from a node)", model.cut.snapped));

@@ -2,29 +2,33 @@
 #include "cleft/tangent_check/tangent.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
 
 #include "cleft/problem/build.hpp"
 #include "cleft/scene/read.hpp"
 #include "cleft/simulation/failure_words.hpp"
-#include "cleft/tangent_check/intermediate_states.hpp"
+#include "cleft/tangent_check/survey.hpp"
 #include "verbs.hpp"
 
 namespace cleft::tools {
 namespace {
 
+using tangent_check::TangentReport;
+
 struct Options {
   std::string scene;
-  std::vector<std::string> overrides;
-  int states = 5;
-  double tolerance = 1e-6;
+  std::vector<std::string> overrides, required;
+  tangent_check::SurveyControls controls;
 };
 
-void print_blocks(const tangent_check::TangentReport& report) {
-  fmt::print("{:22}{:>10}{:>12}{:>10}{:>12}{:>14}{:>10}\n", "block", "pieces", "entries", "left out", "worst",
+void print_blocks(const TangentReport& report) {
+  fmt::print("{:28}{:>10}{:>12}{:>10}{:>12}{:>14}{:>10}\n", "block", "pieces", "entries", "left out", "worst",
              "uncertainty", "at load");
   for (const auto& [name, block] : report.blocks) {
     const auto& w = block.worst;
-    fmt::print("{:22}{:>10}{:>12}{:>10}{:>12.1e}{:>14.1e}{:>10.4g}\n", name, block.pieces, block.entries,
+    fmt::print("{:28}{:>10}{:>12}{:>10}{:>12.1e}{:>14.1e}{:>10.4g}\n", name, block.pieces, block.entries,
                block.left_out, w.error(), w.scale > 0.0 ? w.uncertainty / w.scale : 0.0, w.load);
   }
 }
@@ -33,8 +37,7 @@ void print_blocks(const tangent_check::TangentReport& report) {
 struct Places {
   std::map<std::string, std::string> worst;  // by block
   std::vector<std::string> kinks;
-
-  void add(const assembly::Model& model, double load, const tangent_check::TangentReport& report) {
+  void add(const assembly::Model& model, double load, const TangentReport& report) {
     for (const auto& [name, block] : report.blocks) {
       const auto& w = block.worst;
       if (w.error() == 0.0 || w.load != load) continue;
@@ -53,7 +56,7 @@ void print_worst(const Places& places) {
   for (const auto& [name, place] : places.worst) fmt::print("  {}: {}\n", name, place);
 }
 
-void print_kinks(const Places& places, const tangent_check::TangentReport& report) {
+void print_kinks(const Places& places, const TangentReport& report) {
   if (report.kinks.empty()) return;
   constexpr long kMost = 5;  // of each reason
   fmt::print("\nnot judged, or not in all entries\n");
@@ -66,16 +69,34 @@ void print_kinks(const Places& places, const tangent_check::TangentReport& repor
     if (number > kMost) fmt::print("  {}: {} in all\n", reason, number);
 }
 
-int verdict(const tangent_check::TangentReport& report, double tolerance) {
-  if (!(report.worst() < tolerance)) {
-    fmt::print("\ndoes not hold: worst {:.1e}, NOT below {:.1e}\n", report.worst(), tolerance);
+void print_taylor(const tangent_check::TaylorTest& taylor) {
+  fmt::print("\nremainder of the residual, |R(u + e v) - R(u) - e K v|: {} states judged, {} not\n", taylor.states,
+             taylor.unclear);
+  if (taylor.states == 0) return;
+  fmt::print("  lowest order in e {}, largest part of first order {:.1e} at load {:.4g}, force {}\n",
+             std::isfinite(taylor.order) ? fmt::format("{:.2f}", taylor.order) : "unknown: all remainders are rounding",
+             taylor.first_order, taylor.load, taylor.force);
+}
+
+void print_not_visited(const TangentReport& report) {
+  const auto branches = report.not_visited();
+  if (!branches.empty()) fmt::print("\nbranches of this scene that no state came to: {}\n", fmt::join(branches, ", "));
+}
+
+int verdict(const TangentReport& report, const Options& options) {
+  const double tolerance = options.controls.tolerance, worst = std::fmax(report.worst(), report.taylor.first_order);
+  if (!(worst < tolerance)) {
+    fmt::print("\ndoes not hold: worst {:.1e}, NOT below {:.1e}\n", worst, tolerance);
     return kCheckFailed;
   }
-  if (!report.enough()) {
-    fmt::print("\ndoes not hold: too little could be judged to {:.1e}\n", tolerance);
-    return kCheckFailed;
+  auto gaps = report.gaps();
+  for (const auto& words : options.required)
+    if (!report.has_judged(words)) gaps.push_back(fmt::format("required, but no state came to it: {}", words));
+  if (!gaps.empty()) {
+    fmt::print("\ncannot tell: too little could be judged to {:.1e}\n  {}\n", tolerance, fmt::join(gaps, "\n  "));
+    return kCannotTell;
   }
-  fmt::print("\nworst {:.1e}, below {:.1e}\n", report.worst(), tolerance);
+  fmt::print("\nworst {:.1e}, below {:.1e}\n", worst, tolerance);
   return kDone;
 }
 
@@ -83,28 +104,29 @@ int tangent(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   auto body = growth::Evolution(scene, problem::build_model(scene));
   Places places;
-  tangent_check::TangentReport report;
-  std::optional<assembly::Failure> no_forces;
-  // The run behind a wrong tangent is not worth waiting for.
-  const auto failure = tangent_check::visit_intermediate_states(
-      body, options.states, [&](const tangent_check::IntermediateState& between) {
-        no_forces = tangent_check::check_tangent(between.model, between.before.history, between.displacement,
-                                                 between.load, options.tolerance, report);
-        places.add(between.model, between.load, report);
-        return !no_forces && report.worst() < options.tolerance;
-      });
+  TangentReport report;
+  const auto failure = tangent_check::survey(
+      body, options.controls, report,
+      [&](const tangent_check::IntermediateState& at, const TangentReport&) { places.add(at.model, at.load, report); });
   fmt::print("{} states between converged ones; differences over the largest entry of the same piece in the row\n\n",
              report.states);
   print_blocks(report);
   print_worst(places);
   print_kinks(places, report);
-  for (const auto& reason : {failure, no_forces})
-    if (reason)
-      fmt::print(stderr, "the run failed: {}; try {}\n", simulation::describe(*reason, body.model()),
-                 simulation::advice(*reason, body.model()));
-  const int held = verdict(report, options.tolerance);
+  print_taylor(report.taylor);
+  print_not_visited(report);
+  if (failure)
+    fmt::print(stderr, "the run failed: {}; try {}\n", simulation::describe(*failure, body.model()),
+               simulation::advice(*failure, body.model()));
+  const int held = verdict(report, options);
   // a wrong tangent is a reason to fail
-  return (failure || no_forces) && held == kDone ? kFailed : held;
+  return failure && held != kCheckFailed ? kFailed : held;
+}
+
+std::string is_branch(const std::string& words) {
+  if (tangent_check::names_a_branch(words)) return {};
+  return fmt::format("{} is on no branch; the words of branches are {}", words,
+                     fmt::join(tangent_check::words_of_branches(), ", "));
 }
 
 }  // namespace
@@ -116,12 +138,23 @@ void add_tangent(CLI::App& app, int& result) {
   verb->add_option("--set", options->overrides, "overrides a key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  verb->add_option("--states", options->states, "how many states, evenly over the load, at most one an increment")
+  verb->add_option(
+          "--states", options->controls.states,
+          "how many states, evenly over the load, at most one an increment; where a new branch of a law is met "
+          "come further ones")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  verb->add_option("--tolerance", options->tolerance, "largest difference allowed, relative to the row of its piece")
+  verb->add_option("--tolerance", options->controls.tolerance,
+                   "largest difference allowed, relative to the row of its piece")
       ->check(CLI::Range(1e-9, 1.0))  // differences are no better
       ->capture_default_str();
+  verb->add_option("--require", options->required,
+                   "branches without which nothing is told (exit code 4), by words of their names: apex,stick; "
+                   "'tip cone' asks for both words in one name")
+      ->delimiter(',')
+      ->type_name("BRANCH")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(is_branch, ""));
   verb->callback([options, &result] { result = tangent(*options); });
 }
 

@@ -6,8 +6,9 @@ namespace {
 TEST(TangentVerb, PassesTheBlockAndSaysWhatItJudged) {
   const Outcome o = call("tangent " + kScenes + "block.toml --set 'mesh.cells=[8,16]'");
   EXPECT_EQ(o.code, 0) << o.text;
-  for (const char* text : {"5 states", "bulk left", "contact slip", "contact at a mouth", "assembled",
-                           "crack main, left face, arc length", "force y of node", "below 1.0e-06"})
+  for (const char* text :
+       {"states between converged ones", "bulk elastic left", "contact slip", "contact at a mouth", "assembled",
+        "crack main, left face, arc length", "force y of node", "lowest order in e 2.00", "below 1.0e-06"})
     EXPECT_NE(o.text.find(text), std::string::npos) << text << "\n" << o.text;
   EXPECT_EQ(o.text.find("not judged"), std::string::npos) << o.text;
 }
@@ -22,10 +23,30 @@ TEST(TangentVerb, ListsKinksApart) {
 }
 
 // The gaps of this scene are nanometres.
-TEST(TangentVerb, DoesNotHoldWhereRoundingLeavesTooLittleToJudge) {
+TEST(TangentVerb, CannotTellWhereRoundingLeavesTooLittleToJudge) {
   const Outcome o = call("tangent " + kScenes + "through_crack.toml --tolerance 1e-9");
-  EXPECT_EQ(o.code, 1);
-  EXPECT_NE(o.text.find("too little could be judged"), std::string::npos) << o.text;
+  EXPECT_EQ(o.code, 4) << o.text;
+  EXPECT_NE(o.text.find("cannot tell: too little could be judged"), std::string::npos) << o.text;
+}
+
+TEST(TangentVerb, CannotTellWithoutTheBranchesThatAreRequired) {
+  const std::string block = "tangent " + kScenes + "block.toml --set 'mesh.cells=[8,16]' --require ";
+  EXPECT_EQ(call(block + "stick,slip").code, 0);
+  const Outcome o = call(block + "'stick,tip cone'");
+  EXPECT_EQ(o.code, 4) << o.text;
+  EXPECT_NE(o.text.find("required, but no state came to it: tip cone"), std::string::npos) << o.text;
+  const Outcome wrong = call(block + "apx");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.text.find("apx is on no branch; the words of branches are apex, "), std::string::npos) << wrong.text;
+}
+
+TEST(TangentVerb, NamesBranchesThatNoStateCameTo) {
+  const Outcome o = call("tangent " + kScenes + "manufactured_cut.toml");
+  EXPECT_EQ(o.code, 0) << o.text;
+  EXPECT_NE(
+      o.text.find("branches of this scene that no state came to: contact at a mouth, contact first touch, contact"),
+      std::string::npos)
+      << o.text;
 }
 
 TEST(TangentVerb, SaysWhenTheRunFails) {

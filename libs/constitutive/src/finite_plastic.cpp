@@ -24,10 +24,16 @@ Mat2 plane_part(const PlasticState& state) {
 // ln det(1 + a)
 double log_det_of_one_plus(const Mat2& a) { return std::log1p(a(0, 0) + a(1, 1) + det(a)); }
 
+// b^e - 1 in the plane, from differences to 1 that keep the digits of small strains.
+Mat2 elastic_offset(const Mat2& F, const PlasticState& state) {
+  const Mat2 H = F - Mat2::Identity();
+  return H + H.transpose() + H * H.transpose() + F * plane_part(state) * F.transpose();
+}
+
 // theory (5.3), from b^e - 1, which for small strains of both kinds keeps the digits that b^e would round away.
 ElasticDeformation elastic_deformation(const Mat2& F, const PlasticState& state) {
   const Mat2 H = F - Mat2::Identity(), plastic = plane_part(state);
-  const Mat2 offset = H + H.transpose() + H * H.transpose() + F * plastic * F.transpose();
+  const Mat2 offset = elastic_offset(F, state);
   ElasticDeformation e;
   e.centre = 1.0 + 0.5 * (offset(0, 0) + offset(1, 1));
   e.shape.w = Vec2(0.5 * (offset(0, 0) - offset(1, 1)), 0.5 * (offset(0, 1) + offset(1, 0))) / e.centre;
@@ -187,6 +193,13 @@ ContinuumTangent FinitePlastic::continuum_tangent(const Mat2& deformation, const
   const Branch branch = branch_of(*this, tau, updated.accumulated);
   const Mat4 rate = stress_rate(continuum_moduli(*this, branch), unit_deviator(e.strain), e.shape);
   return {branch, with_geometric_part(rate, in_plane(tau))};
+}
+
+bool FinitePlastic::is_on_apex(const Mat2& deformation, const PlasticState& updated) const {
+  const Mat2 b = elastic_offset(deformation, updated);
+  const double largest = std::max(
+      {std::fabs(b(0, 0) - b(1, 1)), std::fabs(b(0, 1) + b(1, 0)), std::fabs(b(0, 0) - updated.deformation[3])});
+  return friction > 0.0 && largest <= kRoundedStrain * (1.0 + std::fabs(b(0, 0)));
 }
 
 // theory (10.10)

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "cleft/constitutive/plastic_volume.hpp"
 #include "small_strain.hpp"
 #include "stress_rate.hpp"
@@ -78,6 +80,11 @@ PlasticWork SmallPlastic::dissipation(const OfPatch<Mat2>& gradient, const Patch
 
 double SmallPlastic::out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const {
   return elastic_stress(constants, elastic_strain(gradient, updated)).normal;
+}
+
+bool SmallPlastic::is_on_apex(const Mat2& gradient, const PlasticState& updated) const {
+  const PlaneTensor shape = deviator(elastic_strain(gradient, updated));
+  return friction > 0.0 && std::sqrt(contract(shape, shape)) <= kRoundedStrain * (1.0 + gradient.norm());
 }
 
 ContinuumTangent SmallPlastic::continuum_tangent(const Mat2& gradient, const PlasticState& updated) const {

@@ -213,6 +213,29 @@ TEST(ContinuumTangent, IsTheLimitOfSmallSteps) {
 }
 
 template <class Law>
+void expect_apex_is_known_from_the_state_at_the_end() {
+  std::array<int, 2> visits{};
+  for (const auto& [name, material] : test::materials()) {
+    const Law law{material};
+    for (const test::Step& step : test::steps(law, 40)) {
+      const Mat2 at = test::at(law, step.F);
+      PlasticState end;
+      law.respond(at, step.committed, end);
+      if (end.accumulated == step.committed.accumulated) continue;
+      const bool apex = law.continuum_tangent(at, end).branch == Branch::Apex;
+      EXPECT_EQ(law.is_on_apex(at, end), apex) << name;
+      ++visits[apex];
+    }
+  }
+  EXPECT_GT(visits[0], 100);
+  EXPECT_GT(visits[1], 10);
+}
+TEST(Apex, IsKnownFromTheStateAtTheEndOfAStep) {
+  expect_apex_is_known_from_the_state_at_the_end<SmallPlastic>();
+  expect_apex_is_known_from_the_state_at_the_end<FinitePlastic>();
+}
+
+template <class Law>
 void expect_one_where_elastic_and_zero_on_the_apex() {
   const Law law{{lame(1e10, 0.25), 1.5e8, 0.8, 0.7, 0.0}};
   Mat2 F;

@@ -57,14 +57,6 @@ Task task_of(const scene::Study& study, const scene::Setting& place, const scene
   throw InputError(study.scene_at, "scene", error.what());
 }
 
-// Side of a square of two triangles of mean area, metres: the width of square cells.
-double mean_size(const geometry::Mesh& mesh) {
-  const auto count = static_cast<Index>(mesh.triangles.size());
-  double area = 0.0;
-  for (Index t = 0; t < count; ++t) area += geometry::triangle_area(mesh, t);
-  return std::sqrt(2.0 * area / static_cast<double>(count));
-}
-
 // What a task and its mesh make of a run, which is named by all that the result depends on: the scene and the program
 // itself.
 StudyRun run_of(const Task& task, const scene::Setting& place, const scene::Setting& variant) {
@@ -72,7 +64,7 @@ StudyRun run_of(const Task& task, const scene::Setting& place, const scene::Sett
   StudyRun run;
   run.mesh = place.label;
   run.variant = variant.label;
-  run.h = place.h > 0.0 ? place.h : mean_size(model.mesh);
+  run.h = place.h > 0.0 ? place.h : geometry::mean_element_size(model.mesh);
   run.unknowns = model.unknowns.components();
   run.folder = file_name(title_of(run)) + "_" + scene::scene_hash(task.scene);
   return run;

@@ -116,6 +116,13 @@ std::array<Vec2, 3> corners(const Mesh& mesh, Index t) {
 
 double element_size(const Mesh& mesh, Index t) { return std::sqrt(2.0 * triangle_area(mesh, t)); }
 
+double mean_element_size(const Mesh& mesh) {
+  const auto count = static_cast<Index>(mesh.triangles.size());
+  double area = 0.0;
+  for (Index t = 0; t < count; ++t) area += triangle_area(mesh, t);
+  return std::sqrt(2.0 * area / static_cast<double>(count));
+}
+
 double triangle_area(const Mesh& mesh, Index t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return 0.5 * cross(mesh.nodes[b] - mesh.nodes[a], mesh.nodes[c] - mesh.nodes[a]);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -256,6 +257,25 @@ TEST(Gmsh, FilesOfOtherKindsAreRefusedAtTheirFirstLine) {
       EXPECT_EQ(error.location().line, 1) << error.what();
     }
   }
+}
+
+// The file that is written holds all digits, names with spaces and triangles in no region.
+TEST(Gmsh, WhatIsWrittenIsReadAgainToTheLastBit) {
+  Mesh mesh = structured_mesh({0.1, -1.0 / 3.0, 1.7, 2e-7}, {3, 2}, Diagonal::Alternating);
+  mesh.boundaries["a part"] = {mesh.boundaries.at("top").front()};
+  mesh.regions = {"rock", "", "clay \"dry\""};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.region_of.push_back(static_cast<Index>(t) % 3);
+  const std::string file = std::filesystem::temp_directory_path() / ("cleft_w" + std::to_string(getpid()) + ".msh");
+  write_gmsh(mesh, file);
+  const Mesh again = read_gmsh(file);
+  std::filesystem::remove(file);
+  EXPECT_EQ(again.nodes, mesh.nodes);
+  EXPECT_EQ(again.triangles, mesh.triangles);
+  EXPECT_EQ(again.regions, mesh.regions);
+  EXPECT_EQ(again.region_of, mesh.region_of);
+  for (auto& [name, edges] : mesh.boundaries) std::sort(edges.begin(), edges.end());
+  EXPECT_EQ(again.boundaries, mesh.boundaries);
+  EXPECT_THROW(write_gmsh(mesh, "/nowhere/mesh.msh"), std::runtime_error);
 }
 
 TEST(Gmsh, NoFileAndAFolderAreRefused) {

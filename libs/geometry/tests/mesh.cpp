@@ -117,5 +117,9 @@ TEST(Mesh, CoversWhatLiesInATriangle) {
   EXPECT_EQ(box_around(mesh), (std::array<Vec2, 2>{Vec2(0, 0), Vec2(2, 1)}));
 }
 
+TEST(Mesh, MeanElementSizeIsTheWidthOfSquareCells) {
+  EXPECT_NEAR(mean_element_size(structured_mesh({0.0, 0.0, 3.0, 1.5}, {12, 6}, Diagonal::Left)), 0.25, 1e-15);
+}
+
 }  // namespace
 }  // namespace cleft::geometry

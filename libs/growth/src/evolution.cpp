@@ -96,8 +96,10 @@ std::optional<Failure> Evolution::no_answer(const Judged& judged) const {
 }
 
 std::variant<Step, Failure> Evolution::advance(const solve::IterationObserver& observer) {
+  failed_attempts_.clear();
   if (!laws_.empty()) return record_.pending.empty() ? increase(observer) : grow(observer);
   auto outcome = stepper_->advance(observer);
+  add_failed_attempts(*stepper_);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
   return Step{std::move(std::get<solve::Step>(outcome)), {}, 0.0};
 }
@@ -119,6 +121,7 @@ std::variant<Step, Failure> Evolution::increase(const solve::IterationObserver& 
     return look();
   };
   auto outcome = stepper_->advance(observer, event);
+  add_failed_attempts(*stepper_);
   if (auto* failure = std::get_if<Failure>(&outcome)) return std::move(*failure);
   if (auto failure = no_answer(judged)) return *failure;
   record_.ratio = judged.largest;
@@ -180,6 +183,11 @@ Advance Evolution::lengthen(const PendingAdvance& due, std::vector<geometry::Cra
   return out;
 }
 
+void Evolution::add_failed_attempts(const solve::LoadStepper& of) {
+  const auto& failed = of.failed_attempts();
+  failed_attempts_.insert(failed_attempts_.end(), failed.begin(), failed.end());
+}
+
 void Evolution::count(const solve::LoadStepper& done_with) {
   assembly_before_ += done_with.assembler().seconds();
   solver_before_ += done_with.solver().seconds();
@@ -192,7 +200,7 @@ void Evolution::replace(std::unique_ptr<const assembly::Model> model, std::uniqu
 }
 
 std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<PendingAdvance>& due,
-                                                             const solve::IterationObserver& observer) const {
+                                                             const solve::IterationObserver& observer) {
   Attempt out;
   out.cracks = model_->cracks;
   for (const PendingAdvance& one : due) out.advances.push_back(lengthen(one, out.cracks));
@@ -207,6 +215,7 @@ std::variant<Evolution::Attempt, Failure> Evolution::attempt(const std::vector<P
   out.origin = transfer(*model_, stepper_->state(), *out.model);
   out.stepper->restore(out.origin, stepper_->place());
   auto outcome = out.stepper->equilibrate(observer);
+  add_failed_attempts(*out.stepper);
   if (auto* failure = std::get_if<Failure>(&outcome)) {
     failure->grown = grown_tips(out.advances);
     return std::move(*failure);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace cleft::problem {
@@ -22,23 +23,28 @@ constexpr std::array<TrianglePoint, 6> kRule{{{kA, kA, 1 - 2 * kA, 0.22338158967
 
 constexpr double kGauss = 0.288675134594813;  // of the two points on [0, 1] from its middle, 1 / (2 sqrt 3)
 
-// Where a crack crosses the edge a-b of a cut triangle, 0 at a.
-double crossing_place(const assembly::Model& m, Index cut, const Vec2& a, const Vec2& b) {
-  double best = 0.5, nearest = 1e300;
+// Where a crack crosses the edge from corner k to corner l of a cut triangle, 0 at k. A crack through the node of a
+// corner leaves its side without area, and has no segment in the triangle.
+double crossing_place(const assembly::Model& m, Index cut, int k, int l) {
+  const auto& element = m.cut.elements[cut];
+  if (element.area[static_cast<int>(element.node_side[k])] == 0.0) return 0.0;
+  if (element.area[static_cast<int>(element.node_side[l])] == 0.0) return 1.0;
+  const auto& t = m.mesh.triangles[element.element];
+  const Vec2 a = m.mesh.nodes[t[k]], edge = m.mesh.nodes[t[l]] - a;
+  double place = 0.5, nearest = std::numeric_limits<double>::infinity();
   const auto consider = [&](const Vec2& x) {
-    const double place = (x - a).dot(b - a) / (b - a).squaredNorm();
-    const double off = (a + place * (b - a) - x).norm();
-    if (off < nearest && place >= 0.0 && place <= 1.0) {
-      nearest = off;
-      best = place;
-    }
+    const double along = std::clamp((x - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    const double off = (a + along * edge - x).norm();
+    if (off >= nearest) return;
+    nearest = off;
+    place = along;
   };
   for (const auto& s : m.cut.segments)
     if (s.cut == cut) {
       consider(s.start);
       consider(s.end);
     }
-  return best;
+  return place;
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ VecX traction_force(const assembly::Model& m, const std::string& boundary, const
       add(0.0, 1.0, i, j);
       continue;
     }
-    const double place = crossing_place(m, at->second.first, a, b);
+    const double place = crossing_place(m, at->second.first, k, l);
     for (const auto& [from, to, side] :
          {std::tuple{0.0, place, element->node_side[k]}, std::tuple{place, 1.0, element->node_side[l]}})
       add(from, to, enrichment::side_unknown(m.unknowns, m.mesh, *element, k, side),

@@ -19,13 +19,13 @@ void add_residuals(PageFigures& figures, const std::vector<Run>& runs) {
     if (!runs[r].newton || runs[r].newton->rows.empty()) continue;
     const std::string path = runs[r].directory + "/newton.csv";
     const auto& table = *runs[r].newton;
-    const auto step = column_of(table, "step", path), load = column_of(table, "load", path),
-               iteration = column_of(table, "iteration", path), residual = column_of(table, "residual", path);
+    const auto load = column_of(table, "load", path), iteration = column_of(table, "iteration", path),
+               residual = column_of(table, "residual", path);
     plot::Curve c = curve_of(runs, r, 0, "");
     c.dash = 0;
     c.points = true;
-    for (std::size_t k = 0; k < step.size(); ++k) {
-      if (k > 0 && step[k] != step[k - 1]) {
+    for (std::size_t k = 0; k < load.size(); ++k) {
+      if (k > 0 && iteration[k] <= iteration[k - 1]) {
         c.x.push_back(kGap);
         c.y.push_back(kGap);
         c.shade.push_back(kGap);
@@ -43,8 +43,8 @@ void add_residuals(PageFigures& figures, const std::vector<Run>& runs) {
   f.y_label = "residual, relative to the scale of forces";
   f.scale = plot::Scale::LogY;
   if (runs.size() == 1) f.shade_label = "load";
-  figures.push_back(
-      {plot::drawing_of(f, "newton"), "A line an increment; quadratic convergence doubles the digits at each step."});
+  figures.push_back({plot::drawing_of(f, "newton"),
+                     "A line an attempt at an increment; quadratic convergence doubles the digits at each step."});
 }
 
 void add_increments(PageFigures& figures, const std::vector<Run>& runs) {

@@ -54,12 +54,23 @@ void Results::add_step(const growth::Step& step, const solve::LoadStepper& stepp
   if (!step.advances.empty()) add_advances(step, stepper.model());
 }
 
+void Results::add_failed_attempts(int step, const std::vector<solve::FailedAttempt>& attempts) {
+  std::string rows;
+  for (const auto& attempt : attempts) {
+    const NewtonAttempt of{step, attempt.load, ++failed_attempts_, true};
+    for (std::size_t k = 0; k < attempt.iterations.size(); ++k)
+      append_line(tables_->newton, NewtonRow{of, k + 1, attempt.iterations[k]}, rows);
+  }
+  logs_.at("newton.csv").append(rows);
+}
+
 void Results::add_iterations(const growth::Step& step) {
   std::string rows;
   auto iterations = step.iterations;
   iterations.push_back(step.left);
+  const NewtonAttempt of{step.number, step.load, std::exchange(failed_attempts_, 0) + 1, false};
   for (std::size_t k = 0; k < iterations.size(); ++k)
-    append_line(tables_->newton, NewtonRow{step, k + 1, iterations[k]}, rows);
+    append_line(tables_->newton, NewtonRow{of, k + 1, iterations[k]}, rows);
   logs_.at("newton.csv").append(rows);
 }
 

@@ -155,8 +155,8 @@ std::vector<std::string> history_columns(const Contents& contents) { return name
 
 Table<NewtonRow> newton_table() {
   using R = const NewtonRow&;
-  return {{"step", [](R r) { return r.step.number; }},
-          {"load", [](R r) { return r.step.load; }},
+  return {{"step", [](R r) { return r.attempt.step; }},
+          {"load", [](R r) { return r.attempt.load; }},
           {"iteration", [](R r) { return r.number; }},
           {"residual", [](R r) { return r.iteration.residual; }},
           {"correction", [](R r) { return r.iteration.correction; }},
@@ -168,7 +168,13 @@ Table<NewtonRow> newton_table() {
           {"rounding", [](R r) { return r.iteration.rounding; }},
           {"gradient", [](R r) { return r.iteration.gradient; }},
           {"chatters", [](R r) { return static_cast<int>(r.iteration.cycles); }},
-          {"kept", [](R r) { return static_cast<int>(r.iteration.kept); }}};
+          {"kept", [](R r) { return static_cast<int>(r.iteration.kept); }},
+          {"flow_changes", [](R r) { return r.iteration.flow_changes; }},
+          {"largest", [](R r) { return cleft::name_of(r.iteration.largest.at); }},
+          {"largest_X", [](R r) { return r.iteration.largest.place.x(); }},
+          {"largest_Y", [](R r) { return r.iteration.largest.place.y(); }},
+          {"attempt", [](R r) { return r.attempt.number; }},
+          {"failed", [](R r) { return static_cast<int>(r.attempt.failed); }}};
 }
 
 Table<CrackRow> crack_table() {

@@ -37,9 +37,17 @@ struct HistoryRow {
 };
 Table<HistoryRow> history_table(const Contents& contents);
 
-/// An iteration, or the residual that the last one of an increment left: a row of newton.csv.
+/// An attempt at a step.
+struct NewtonAttempt {
+  int step;
+  double load;
+  int number;  ///< from 1
+  bool failed;
+};
+
+/// An iteration, or the residual that the last one of an attempt left: a row of newton.csv.
 struct NewtonRow {
-  const growth::Step& step;
+  const NewtonAttempt& attempt;
   std::size_t number;  ///< from 1
   const solve::Iteration& iteration;
 };

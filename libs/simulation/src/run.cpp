@@ -49,6 +49,8 @@ class Run {
   std::optional<results::Checkpoint> take_folder();
   bool is_far_enough() const;
   bool advance();
+  bool writes(const std::function<void()>& write);
+  bool record_failed_attempts();
   bool record(const growth::Step& step);
   void keep(const results::Counts& counts);
   void look_at_state();
@@ -125,6 +127,7 @@ bool Run::advance() {
     return false;
   }
   const auto outcome = evolution_->advance([this](int i, const solve::Iteration& it) { tell(i, it.residual); });
+  if (!record_failed_attempts()) return false;
   if (const auto* failure = std::get_if<assembly::Failure>(&outcome)) {
     result_.end = RunResult::End::Failed;
     result_.failure = *failure;
@@ -134,6 +137,7 @@ bool Run::advance() {
   }
   const auto& step = std::get<growth::Step>(outcome);
   if (!record(step)) return false;
+  if (options_.step) options_.step(step);
   look_at_state();
   progress_.contact_points = static_cast<int>(std::ranges::count_if(evolution_->stepper().pairs(), contact::presses));
   tell(0, step.left.residual);
@@ -141,22 +145,37 @@ bool Run::advance() {
   return true;
 }
 
-// Writes a step, with a checkpoint at the end of it; one that cannot be written does not count.
-bool Run::record(const growth::Step& step) {
-  results::Counts counts = counts_;
-  counts.count(step);
+// False where what is to be written cannot be.
+bool Run::writes(const std::function<void()>& write) {
   try {
     const PhaseTimer timer(seconds_.write);
-    results_->add_step(step, evolution_->stepper());
-    if (scene_.loading.every_step || step.is_output) results_->add_fields(step, evolution_->stepper());
-    keep(counts);
+    write();
+    return true;
   } catch (const std::runtime_error& error) {
     result_.end = RunResult::End::NotWritten;
     result_.unwritten = error.what();
     return false;
   }
-  counts_ = std::move(counts);
-  return true;
+}
+
+// Attempts that failed are part of what the next checkpoint holds; those at the end of a run that failed of nothing.
+bool Run::record_failed_attempts() {
+  const auto& attempts = evolution_->failed_attempts();
+  if (attempts.empty()) return true;
+  return writes([&] { results_->add_failed_attempts(static_cast<int>(counts_.increments) + 1, attempts); });
+}
+
+// Writes a step, with a checkpoint at the end of it; one that cannot be written does not count.
+bool Run::record(const growth::Step& step) {
+  results::Counts counts = counts_;
+  counts.count(step);
+  const bool written = writes([&] {
+    results_->add_step(step, evolution_->stepper());
+    if (scene_.loading.every_step || step.is_output) results_->add_fields(step, evolution_->stepper());
+    keep(counts);
+  });
+  if (written) counts_ = std::move(counts);
+  return written;
 }
 
 void Run::keep(const results::Counts& counts) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "flow.hpp"
+
 namespace cleft::solve {
 namespace {
 
@@ -57,11 +59,22 @@ void ActiveSet::cells(const assembly::Assembler& assembler, const assembly::Hist
   });
 }
 
+// The apex plays no part in the iteration's course, but its tangent kinks there.
+void ActiveSet::branches(const assembly::Model& model, const assembly::Assembler& assembler, const VecX& displacement,
+                         Iteration& out) {
+  const auto& plastic = assembler.plastic();
+  out.flow_changes += replace(branches_, plastic.size(), [&](std::size_t c) {
+    const auto point = static_cast<Index>(c);
+    return flows_[c] == 0 ? 0 : 1 + static_cast<Index>(is_on_apex(model, point, displacement, plastic[c]));
+  });
+}
+
 bool ActiveSet::update(const assembly::Model& model, const assembly::Assembler& assembler,
-                       const assembly::History& history, Iteration& out) {
+                       const assembly::History& history, const VecX& displacement, Iteration& out) {
   points(model, assembler, out);
   multipliers(assembler, out);
   cells(assembler, history, out);
+  branches(model, assembler, displacement, out);
   const std::uint64_t now =
       hash(hash(hash(hash(14695981039346656037ULL, partner_), status_), multiplier_status_), flows_);
   const bool same = !met_.empty() && met_.back() == now;

@@ -16,19 +16,6 @@ constexpr double kGain = 2.0;
 // A displacement gradient of a correction below which its square is small against it.
 constexpr double kSmallGradient = 0.1;
 
-// From the first iteration after the last change of the contact to the last one that made a correction, or to the first
-// one that did so with old factors.
-std::span<const Iteration> settled(std::span<const Iteration> all) {
-  std::size_t first = 0, end = 0;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].partner_changes + all[k].status_changes > 0) first = k;
-    if (all[k].correction > 0.0) end = k + 1;
-  }
-  for (std::size_t k = first; k < end; ++k)
-    if (all[k].kept) end = k + 1;
-  return all.subspan(std::min(first, end), end - std::min(first, end));
-}
-
 // Of three corrections; nothing if the first step did not gain enough.
 std::optional<double> order_of(const Iteration* three, double Iteration::*size) {
   const double gained = std::log(three[0].*size / three[1].*size);
@@ -38,13 +25,28 @@ std::optional<double> order_of(const Iteration* three, double Iteration::*size) 
 
 }  // namespace
 
-std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations) {
-  const auto its = settled(iterations);
+SettledCorrections settled_corrections(std::span<const Iteration> iterations) {
+  std::size_t first = 0, end = 0;
+  for (std::size_t k = 0; k < iterations.size(); ++k) {
+    if (iterations[k].switches()) first = k;
+    if (iterations[k].cycles) first = k + 1;
+    if (iterations[k].correction > 0.0) end = k + 1;
+  }
+  for (std::size_t k = first; k < end; ++k)
+    if (iterations[k].kept) end = k + 1;
+  first = std::min(first, end);
+  SettledCorrections out{iterations.subspan(first, end - first)};
+  const auto& its = out.all;
   const auto is_clear = [&](std::size_t k) {
     return its[k].residual > its[k].rounding || (k + 1 < its.size() && its[k].gradient > kFalls * its[k + 1].gradient);
   };
-  std::size_t clear = 0;
-  while (clear < its.size() && is_clear(clear)) ++clear;
+  while (out.clear < its.size() && is_clear(out.clear)) ++out.clear;
+  if (first + out.clear < iterations.size()) out.next = &iterations[first + out.clear];
+  return out;
+}
+
+std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> iterations) {
+  const auto [its, clear, next] = settled_corrections(iterations);
   if (clear >= 3) {
     const auto order = order_of(&its[clear - 3], &Iteration::gradient);
     return order ? std::optional(ConvergenceOrder{*order, false}) : std::nullopt;
@@ -55,7 +57,7 @@ std::optional<ConvergenceOrder> convergence_order(std::span<const Iteration> ite
 }
 
 std::optional<double> order_at_unit_scale(std::span<const Iteration> iterations) {
-  const auto its = settled(iterations);
+  const auto its = settled_corrections(iterations).all;
   if (its.size() < 2 || its[0].residual <= its[0].rounding) return std::nullopt;
   const double first = its[0].gradient, second = its[1].gradient;
   if (!(first < kSmallGradient && second < first && second > 0.0)) return std::nullopt;

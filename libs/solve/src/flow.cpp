@@ -12,4 +12,15 @@ double largest_flow(const assembly::Model& model, const std::vector<constitutive
   return out;
 }
 
+bool is_on_apex(const assembly::Model& model, Index point, const VecX& displacement,
+                const constitutive::PlasticState& now) {
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        if constexpr (constitutive::PathDependent<Law>)
+          return law.friction > 0.0 && law.is_on_apex(assembly::deformation(model, point, displacement), now);
+        return false;
+      },
+      model.material(point));
+}
+
 }  // namespace cleft::solve

@@ -10,4 +10,8 @@ namespace cleft::solve {
 double largest_flow(const assembly::Model& model, const std::vector<constitutive::PlasticState>& before,
                     const std::vector<constitutive::PlasticState>& now);
 
+/// Whether a material point that flows has returned to the apex of its cone, by its state at the end of the increment.
+bool is_on_apex(const assembly::Model& model, Index point, const VecX& displacement,
+                const constitutive::PlasticState& now);
+
 }  // namespace cleft::solve

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "boundary_values.hpp"
+#include "largest_residual.hpp"
 #include "newton_failures.hpp"
 #include "newton_iteration.hpp"
 #include "prediction.hpp"
@@ -38,11 +39,13 @@ Increment NewtonIteration::run() {
     Iteration it;
     if (auto failure = evaluate(it)) return failed(std::move(*failure));
     const Balance balance = weigh(it);
+    out_.left = it;
     if (auto failure = balance.resolution.refuse_springs(balance.residual)) return failed(std::move(*failure));
-    if (const Verdict verdict = judge(it, balance); verdict != Verdict::Continue) return finish(it, balance, verdict);
+    if (const Verdict verdict = judge(it, balance); verdict != Verdict::Continue) return finish(balance, verdict);
     if (diverges(it, balance)) return failed(unbalanced(model_, it, number_, rhs_, cycling_.halved()));
     if (auto failure = step(it)) return failed(std::move(*failure));
     out_.iterations.push_back(it);
+    out_.left = {};
     if (problem_.observer) problem_.observer(number_ + 1, it);
   }
 }
@@ -75,7 +78,7 @@ std::optional<assembly::Failure> NewtonIteration::evaluate(Iteration& it) {
   const double before = total(assembler_.seconds());
   if (auto failure = assembler_.assemble(out_.displacement, state_.history)) return failure;
   it.assembly_seconds = total(assembler_.seconds()) - before;
-  returns_ = active_.update(model_, assembler_, state_.history, it);
+  returns_ = active_.update(model_, assembler_, state_.history, out_.displacement, it);
   return std::nullopt;
 }
 
@@ -91,6 +94,7 @@ Balance NewtonIteration::weigh(Iteration& it) {
   const Balance out{rhs_.norm(), forces.scale(), rounding.total(), {rounding, forces, state_.largest_force}};
   it.residual = out.residual / std::max(out.scale, out.floor);
   it.rounding = out.floor / std::max(out.scale, out.floor);
+  it.largest = largest_residual(model_, assembler_, state_.history, rhs_);
   return out;
 }
 
@@ -109,8 +113,7 @@ Verdict NewtonIteration::judge(const Iteration& it, const Balance& balance) cons
   return (balance.residual <= balance.floor && !may_fall) || stays ? Verdict::EndedByRounding : Verdict::Continue;
 }
 
-Increment NewtonIteration::finish(const Iteration& it, const Balance& balance, Verdict verdict) {
-  out_.left = it;
+Increment NewtonIteration::finish(const Balance& balance, Verdict verdict) {
   out_.force = balance.scale;
   if (verdict == Verdict::EndedByRounding) {
     out_.rounded = balance.resolution.missing(balance.residual);

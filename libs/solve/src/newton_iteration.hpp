@@ -39,7 +39,7 @@ class NewtonIteration {
   std::optional<assembly::Failure> evaluate(Iteration& it);
   Balance weigh(Iteration& it);
   Verdict judge(const Iteration& it, const Balance& balance) const;
-  Increment finish(const Iteration& it, const Balance& balance, Verdict verdict);
+  Increment finish(const Balance& balance, Verdict verdict);
   bool diverges(const Iteration& it, const Balance& balance);
   std::optional<assembly::Failure> step(Iteration& it);
   VecX prescribe_boundary(Iteration& it);

@@ -20,6 +20,12 @@ constexpr double kHasJumped = 0.2;          // and one that is no question of it
 constexpr double kShortForFlow = 1.0 / 16;  // of the planned increment: a shorter one may flow as far as it does
 constexpr double kLeastOfWay = 1e-2;        // to the next target: however short that is, it may be cut to this
 
+FailedAttempt attempt_of(const Increment& failed) {
+  FailedAttempt out{failed.load, failed.iterations};
+  if (failed.left.residual > 0.0) out.iterations.push_back(failed.left);
+  return out;
+}
+
 }  // namespace
 
 Factorisation LoadStepper::factorisation_for(const assembly::Model& model) {
@@ -53,7 +59,9 @@ Increment LoadStepper::solve(const Goal& goal, const IterationObserver& observer
   NewtonControls newton = controls_.newton;
   newton.extrapolate = newton.extrapolate && !turns_at(controls_, state_.load);
   const auto once = [&] {
-    return solve_increment({model_, constraints_, state_, newton, assembler_, solver_, observer}, goal);
+    Increment out = solve_increment({model_, constraints_, state_, newton, assembler_, solver_, observer}, goal);
+    if (out.failure) failed_attempts_.push_back(attempt_of(out));
+    return out;
   };
   Increment out = once();
   if (!out.failure || !out.extrapolated) return out;  // where contact changes the last increment is no guide
@@ -150,6 +158,7 @@ bool LoadStepper::is_too_long(const Attempt& tried, const Event& event, Tries& t
 }
 
 std::variant<Step, assembly::Failure> LoadStepper::advance(const IterationObserver& observer, const Event& event) {
+  failed_attempts_.clear();
   if (auto end = end_of_path()) return *end;
   Tries tries = first_try(event);
   for (;;) {

@@ -7,6 +7,7 @@ namespace cleft::solve {
 
 std::variant<Step, assembly::Failure> LoadStepper::equilibrate(const IterationObserver& observer) {
   constexpr double kLeastPart = 1.0 / 1024;
+  failed_attempts_.clear();
   const double unexplained = state_.energies.imbalance();
   if (auto failure = assembler_.assemble(state_.displacement, state_.history)) return *failure;
   VecX held = assembler_.internal_force() - dead_force(model_, state_.load);

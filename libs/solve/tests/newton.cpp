@@ -167,6 +167,45 @@ TEST(Newton, MakesTheCorrectionsThatAreAskedForAtLeast) {
   }
 }
 
+TEST(Newton, TellsWhereTheResidualIsLargest) {
+  using At = LargestResidual::At;
+  const assembly::Model model = models::block(8, NegativeSide::Left);
+  LoadStepper stepper(model, {});
+  const auto [low, high] = geometry::box_around(model.mesh);
+  int at_contact = 0, at_node = 0;
+  while (stepper.state().load < 0.3) {
+    const auto step = std::get<Step>(stepper.advance());
+    for (const Iteration& it : step.iterations) {
+      if (it.residual == 0.0) continue;
+      ASSERT_TRUE(it.largest.at == At::Contact || it.largest.at == At::Node);
+      ++(it.largest.at == At::Contact ? at_contact : at_node);
+      const Vec2 place = it.largest.place - model.origin;
+      EXPECT_TRUE((place.array() >= low.array()).all() && (place.array() <= high.array()).all()) << place.transpose();
+    }
+  }
+  EXPECT_GT(at_contact, 0);
+  EXPECT_GT(at_contact + at_node, 10);
+}
+
+TEST(LoadStepper, KeepsTheIterationsOfAttemptsThatFailed) {
+  const assembly::Model model = models::block(8, NegativeSide::Left);
+  StepControls controls;
+  controls.steps = 2;
+  controls.newton.max_iterations = 3;
+  LoadStepper stepper(model, controls);
+  const auto first = std::get<Step>(stepper.advance());
+  ASSERT_GT(first.cuts, 0);
+  const auto failed = stepper.failed_attempts();
+  ASSERT_GE(failed.size(), static_cast<std::size_t>(first.cuts));
+  EXPECT_EQ(failed.front().load, 0.5);
+  EXPECT_LT(failed.back().load, 0.5);
+  for (const FailedAttempt& attempt : failed)
+    for (std::size_t k = 0; k + 1 < attempt.iterations.size(); ++k) EXPECT_GT(attempt.iterations[k].correction, 0.0);
+  while (stepper.failed_attempts().size() > 0 && !stepper.done())
+    ASSERT_TRUE(std::holds_alternative<Step>(stepper.advance())) << "they are those of the last increment only";
+  EXPECT_FALSE(stepper.done());
+}
+
 TEST(Newton, ExtrapolationSavesIterationsAndChangesNothingElse) {
   std::array<std::size_t, 2> iterations{};
   std::array<Vec2, 2> force;

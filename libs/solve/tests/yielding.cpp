@@ -244,5 +244,28 @@ TEST(Viscosity, DelaysFlowAndDissipates) {
   }
 }
 
+// In long increments cells begin to flow, and stop, in the midst of the iteration.
+TEST(YieldingIteration, CountsSwitchesOfFlowAndNamesPointsThatFlow) {
+  for (const assembly::Material& material : {assembly::Material(constitutive::FinitePlastic{kCone}),
+                                             assembly::Material(constitutive::SmallPlastic{kCone})}) {
+    const assembly::Model model = block_of(material);
+    StepControls controls;
+    controls.steps = 4;
+    LoadStepper stepper(model, controls);
+    int switches = 0, at_flow = 0;
+    while (stepper.state().load < 0.7) {
+      const auto outcome = stepper.advance();
+      ASSERT_TRUE(std::holds_alternative<Step>(outcome));
+      for (const Iteration& it : std::get<Step>(outcome).iterations) {
+        switches += it.flow_changes;
+        at_flow += it.largest.at == LargestResidual::At::Flow;
+        EXPECT_TRUE(it.flow_changes == 0 || it.switches());
+      }
+    }
+    EXPECT_GT(switches, 3);
+    EXPECT_GT(at_flow, 3);
+  }
+}
+
 }  // namespace
 }  // namespace cleft::solve

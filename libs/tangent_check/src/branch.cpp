@@ -23,15 +23,15 @@ const char* kink_between(const contact::Pair& a, const contact::Pair& b) {
 
 const char* block_of(const contact::Pair& pair, const contact::ContactState& past) {
   if (!presses(pair)) return "contact open";
-  if (pair.state.ramp < 1.0) return "contact at a mouth";
+  if (pair.state.ramp < 1.0) return kAtMouth;
   if (past.anchor_face == kNone) return "contact first touch";
   return pair.state.traction.status == Status::Stick ? "contact stick" : "contact slip";
 }
 
 const char* block_of(const contact::NodeState& node) {
-  if (node.leans) return "contact hat leaning";
-  if (node.status == Status::Open) return "contact hat open";
-  return node.status == Status::Stick ? "contact hat stick" : "contact hat slip";
+  if (node.leans) return "multiplier leaning";
+  if (node.status == Status::Open) return "multiplier open";
+  return node.status == Status::Stick ? "multiplier stick" : "multiplier slip";
 }
 
 namespace {

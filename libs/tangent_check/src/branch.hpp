@@ -1,6 +1,7 @@
 // On which smooth branch of the contact law a point stands.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "cleft/assembly/model.hpp"
@@ -17,10 +18,17 @@ inline bool is_mortar(const assembly::Model& model, Index point) {
   return model.surfaces.is_mortar(model.surfaces.faces[model.surfaces.points[point].face].crack);
 }
 
+/// What block_of calls contact points and nodes of multipliers.
+inline constexpr const char* kAtMouth = "contact at a mouth";
+inline constexpr std::array kPointBranches{"contact open", "contact stick", "contact slip", "contact first touch"};
+inline constexpr const char* kMultiplierForces = "multiplier forces";
+inline constexpr std::array kMultiplierBranches{kMultiplierForces, "multiplier open", "multiplier stick",
+                                                "multiplier slip", "multiplier leaning"};
+
 /// "contact stick" and the like.
 const char* block_of(const contact::Pair& pair, const contact::ContactState& past);
 
-/// "contact hat stick" and the like.
+/// "multiplier stick" and the like.
 const char* block_of(const contact::NodeState& node);
 
 /// Adds the unknowns in whose rows the multipliers' tractions or conditions are not differentiable between two states.

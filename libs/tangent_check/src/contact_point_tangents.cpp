@@ -4,21 +4,15 @@
 
 #include "branch.hpp"
 #include "difference.hpp"
+#include "faces_alone.hpp"
 
 namespace cleft::tangent_check {
 namespace {
 
 constexpr double kShrink = 1.0 / 8;  // of the step, until the point stays on its branch
 
-// Rows in which the forces of the two faces cancel, at a tip, are rounding: this part of the point's largest entry is
-// their scale.
-constexpr double kFaint = 1e-3;
-
-assembly::Model without_bulk(const assembly::Model& model) {
-  assembly::Model out = model;
-  out.cells.clear();
-  out.f_bar_partner.clear();
-  out.tip_points.clear();
+assembly::Model springs_alone(const assembly::Model& model) {
+  assembly::Model out = without_bulk(model);
   out.surfaces.multiplier_space = {};
   out.surfaces.mortar.clear();
   return out;
@@ -71,7 +65,7 @@ Eigen::MatrixXd dense(const assembly::BlockMatrix& matrix, const std::vector<Ind
 
 ContactPointTangents::ContactPointTangents(const assembly::Model& model, const assembly::History& history,
                                            const VecX& u, const Lengths& lengths)
-    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(without_bulk(model)) {
+    : whole_(model), history_(history), u_(u), lengths_(lengths), one_(springs_alone(model)) {
   one_history_.deepest = history.deepest;
   one_history_.contact.resize(1);
 }

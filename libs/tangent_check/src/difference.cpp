@@ -11,10 +11,13 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 Lengths lengths_of(const assembly::Model& model, const VecX& u) {
   Lengths out;
   out.influence.assign(model.unknowns.count, std::numeric_limits<double>::infinity());
-  assembly::for_each_material_point(model, [&](std::size_t, const auto& point, double) {
+  out.stiffness.assign(model.unknowns.count, 0.0);
+  assembly::for_each_material_point(model, [&](std::size_t p, const auto& point, double weight) {
+    const double modulus = constitutive::uniaxial_strain_modulus(model.constants(static_cast<Index>(p)));
     for (std::size_t k = 0; k < point.unknown.size(); ++k) {
-      double& length = out.influence[point.unknown[k]];
+      double &length = out.influence[point.unknown[k]], &stiffness = out.stiffness[point.unknown[k]];
       length = std::min(length, 1.0 / point.gradient[k].norm());
+      stiffness = std::max(stiffness, weight * modulus * point.gradient[k].squaredNorm());
     }
   });
   for (Index k = 0; k < model.unknowns.multipliers; ++k)

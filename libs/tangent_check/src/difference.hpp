@@ -11,9 +11,10 @@
 
 namespace cleft::tangent_check {
 
-/// Lengths from which steps follow, metres.
+/// Lengths from which steps follow, metres, and stiffnesses from which rounding does.
 struct Lengths {
   std::vector<double> influence;  ///< per unknown: over which its weight falls from one to nothing
+  std::vector<double> stiffness;  ///< per unknown: what an elastic point sets against it, the largest, N/m^2
   double reach = 0.0;             ///< largest coordinate: positions carry its rounding
 };
 Lengths lengths_of(const assembly::Model& model, const VecX& u);
@@ -42,6 +43,10 @@ Quotient quotient(const std::array<double, 4>& force, double step);
 inline bool is_certain(const Quotient& q, double scale, double tolerance) {
   return q.uncertainty <= 0.25 * tolerance * std::fmax(scale, std::fabs(q.value));
 }
+
+/// Rows of which little is left, where the forces of two faces cancel or perfect flow bears no more, are rounding: this
+/// part of the largest entry of contact, or of the stiffness of an elastic body, is their least scale.
+inline constexpr double kFaint = 1e-3;
 
 /// Why a part is listed some of whose entries are left out.
 inline constexpr const char* kUnclear = "two sizes of the step disagree";

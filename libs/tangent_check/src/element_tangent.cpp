@@ -1,74 +1,153 @@
 #include "element_tangent.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "difference.hpp"
-
 namespace cleft::tangent_check {
+namespace {
 
-std::vector<ElementTangents::Piece> ElementTangents::pieces_of(const assembly::Model& model) {
-  std::vector<Piece> out;
-  for (const auto& patch : assembly::patches_of(model))
-    out.push_back({{patch.cell[0], patch.cell[1]}, {patch.unknown.begin(), patch.unknown.end()}});
-  for (Index c = 0; c < static_cast<Index>(model.cells.size()); ++c)
-    if (const auto& unknown = model.cells[c].unknown; model.f_bar_partner.empty() || model.f_bar_partner[c] == kNone)
-      out.push_back({{c}, {unknown.begin(), unknown.end()}});
-  Index next = 0;
-  for (auto& piece : out) {
-    piece.first = next;
-    next += static_cast<Index>(piece.unknowns.size());
+using Kind = BodyPiece::Kind;
+
+// Steps of the differences over the first ones. The last two are for pieces with a kink of their law close by.
+constexpr std::array<double, 5> kFactors{1.0, 1.0 / 16, 16.0, 1.0 / 256, 1.0 / 4096};
+constexpr std::size_t kOrdinaryFactors = 3;
+
+// Collects the pieces and numbers their unknowns.
+class Separation {
+ public:
+  explicit Separation(double reach) : reach_(reach) {}
+
+  // `slope`: per unknown, how fast the strain grows with it, 1/m; `stiffness`: modulus times area, N.
+  void add(Kind kind, std::vector<Index> points, std::vector<Index> unknowns, const std::vector<double>& slope,
+           double stiffness) {
+    BodyPiece piece{kind, std::move(points), std::move(unknowns), {}, {}, next_};
+    for (const double by : slope) {
+      piece.step.push_back(first_step(by > 0.0 ? 1.0 / by : 1.0, reach_));
+      piece.least.push_back(kFaint * stiffness * by * std::ranges::max(slope));
+    }
+    next_ += static_cast<Index>(piece.unknowns.size());
+    pieces_.push_back(std::move(piece));
   }
-  return out;
+
+  // The unknowns and gradients of one or two cells, or of a point of branch functions.
+  template <class Point>
+  void add(Kind kind, const std::vector<Index>& numbers, const std::vector<const Point*>& points, double stiffness) {
+    std::vector<Index> unknowns;
+    std::vector<double> slope;
+    for (const Point* point : points)
+      for (std::size_t k = 0; k < point->unknown.size(); ++k) {
+        const auto at = static_cast<std::size_t>(std::ranges::find(unknowns, point->unknown[k]) - unknowns.begin());
+        if (at == unknowns.size()) {
+          unknowns.push_back(point->unknown[k]);
+          slope.push_back(0.0);
+        }
+        slope[at] = std::max(slope[at], point->gradient[k].norm());
+      }
+    add(kind, numbers, std::move(unknowns), slope, stiffness);
+  }
+
+  std::vector<BodyPiece> pieces() { return std::move(pieces_); }
+
+ private:
+  double reach_;
+  Index next_ = 0;
+  std::vector<BodyPiece> pieces_;
+};
+
+std::vector<BodyPiece> pieces_of(const assembly::Model& model, double reach) {
+  Separation out(reach);
+  const auto modulus = [&](Index point) { return constitutive::uniaxial_strain_modulus(model.constants(point)); };
+  const auto cells = static_cast<Index>(model.cells.size());
+  for (Index c = 0; c < cells; ++c) {
+    const Index partner = model.f_bar_partner.empty() ? kNone : model.f_bar_partner[c];
+    const auto* cell = &model.cells[c];
+    if (partner == kNone)
+      out.add<enrichment::Cell>(Kind::Bulk, {c}, {cell}, modulus(c) * cell->area);
+    else if (c < partner)
+      out.add<enrichment::Cell>(Kind::Patch, {c, partner}, {cell, &model.cells[partner]}, modulus(c) * cell->area);
+  }
+  for (Index p = 0; p < static_cast<Index>(model.tip_points.size()); ++p)
+    out.add<enrichment::TipPoint>(Kind::Tip, {cells + p}, {&model.tip_points[p]},
+                                  modulus(cells + p) * model.tip_points[p].weight);
+  for (const auto& tie : model.ties) {
+    std::vector<double> slope;
+    for (const double s : tie.slope) slope.push_back(std::fabs(s));
+    out.add(Kind::Tie, {tie.cell}, {tie.unknown.begin(), tie.unknown.end()}, slope,
+            assembly::tie_stiffness(model, tie));
+  }
+  return out.pieces();
 }
 
-assembly::Model ElementTangents::separated(const assembly::Model& model, const std::vector<Piece>& pieces) {
+// Of a piece's unknowns in the separated body.
+void renumber(const BodyPiece& piece, auto& unknowns) {
+  for (Index& unknown : unknowns)
+    unknown = piece.first + static_cast<Index>(std::ranges::find(piece.unknowns, unknown) - piece.unknowns.begin());
+}
+
+}  // namespace
+
+std::string block_of(BodyPiece::Kind kind, const std::vector<FlowBranch>& branches) {
+  if (kind == Kind::Tie) return "ghost tie";
+  const char* what = kind == Kind::Bulk ? "bulk" : kind == Kind::Patch ? "patch" : "tip";
+  const bool mixed = std::ranges::any_of(branches, [&](FlowBranch b) { return b != branches.front(); });
+  return fmt::format("{} {}", what, mixed ? "mixed" : cleft::name_of(branches.front()));
+}
+
+assembly::Model ElementTangents::separated(const assembly::Model& model, const std::vector<BodyPiece>& pieces) {
   assembly::Model out;
   out.mesh = model.mesh;  // for messages
   out.materials = model.materials;
   out.material_of = model.material_of;
-  if (!out.material_of.empty()) out.material_of.resize(model.cells.size());
   out.cells = model.cells;
   out.f_bar_partner = model.f_bar_partner;
-  for (const auto& piece : pieces)
-    for (const Index c : piece.cells)
-      for (Index& unknown : out.cells[c].unknown)
-        unknown = piece.first + static_cast<Index>(std::ranges::find(piece.unknowns, unknown) - piece.unknowns.begin());
-  for (const auto& piece : pieces) out.unknowns.count += static_cast<Index>(piece.unknowns.size());
+  out.tip_points = model.tip_points;
+  out.ties = model.ties;
+  auto tie = out.ties.begin();
+  for (const auto& piece : pieces) {
+    out.unknowns.count += static_cast<Index>(piece.unknowns.size());
+    if (piece.kind == Kind::Tie)
+      renumber(piece, (tie++)->unknown);
+    else if (piece.kind == Kind::Tip)
+      renumber(piece, out.tip_points[piece.points[0] - static_cast<Index>(out.cells.size())].unknown);
+    else
+      for (const Index c : piece.points) renumber(piece, out.cells[c].unknown);
+  }
   out.unknowns.nodes = out.unknowns.count;
   return out;
 }
 
-std::string ElementTangents::name_of(const Piece& piece) const {
-  const std::string kind = piece.cells.size() > 1 ? "patch" : "bulk";
-  for (const Index c : piece.cells)
-    if (const auto side = whole_.cells[c].side_if_cut())
-      return kind + (*side == geometry::Side::Left ? " left" : " right");
-  return kind;
-}
-
 ElementTangents::ElementTangents(const assembly::Model& model, const assembly::History& history, const VecX& u,
-                                 const Lengths& lengths)
+                                 double reach)
     : whole_(model),
-      pieces_(pieces_of(model)),
+      pieces_(pieces_of(model, reach)),
       separated_(separated(model, pieces_)),
-      history_{{}, 0.0, history.plastic},
+      history_{.contact = {}, .plastic = history.plastic, .duration = history.duration},
       u_(separated_.unknowns.components()),
       assembler_(separated_) {
-  for (Piece& piece : pieces_) {
-    double influence = lengths.influence[piece.unknowns[0]];
-    for (std::size_t k = 0; k < piece.unknowns.size(); ++k) {
+  for (const BodyPiece& piece : pieces_)
+    for (std::size_t k = 0; k < piece.unknowns.size(); ++k)
       u_.segment<2>(2 * (piece.first + static_cast<Index>(k))) = u.segment<2>(2 * piece.unknowns[k]);
-      influence = std::min(influence, lengths.influence[piece.unknowns[k]]);
-    }
-    piece.step = first_step(influence, lengths.reach);
-  }
+  branch_ = flow_branches(separated_, history_, u_);
 }
 
-ElementTangents::Matrix ElementTangents::tangent(const Piece& piece) const {
-  Matrix out = Matrix::Zero();
-  for (int column = 0; column < piece.components(); ++column)
-    for (int row = 0; row < piece.components(); ++row)
-      out(row, column) = matrix_.entry(2 * piece.first + row, 2 * piece.first + column);
+std::string ElementTangents::block_name(const BodyPiece& piece) const {
+  std::vector<FlowBranch> branches;
+  for (const Index p : piece.points) branches.push_back(branch_.empty() ? FlowBranch::Elastic : branch_[p]);
+  std::string out = block_of(piece.kind, branches);
+  for (const Index p : piece.points)
+    if (const auto side = assembly::material_point(whole_, p).side)
+      return out + (*side == geometry::Side::Left ? " left" : " right");
+  return out;
+}
+
+double ElementTangents::entry(const BodyPiece& piece, int row, int column) const {
+  return matrix_.entry(2 * piece.first + row, 2 * piece.first + column);
+}
+
+double ElementTangents::scale(const BodyPiece& piece, int row) const {
+  double out = piece.least[row / 2];
+  for (int column = 0; column < piece.components(); ++column) out = std::max(out, std::fabs(entry(piece, row, column)));
   return out;
 }
 
@@ -76,67 +155,101 @@ std::optional<ElementTangents::Forces> ElementTangents::forces(int column, doubl
   Forces out;
   for (std::size_t k = 0; k < kOffsets.size(); ++k) {
     VecX there = u_;
-    for (const Piece& piece : pieces_)
-      if (column < piece.components()) there[2 * piece.first + column] += kOffsets[k] * factor * piece.step;
+    for (const BodyPiece& piece : pieces_)
+      if (column < piece.components()) there[2 * piece.first + column] += kOffsets[k] * factor * piece.step[column / 2];
     if (assembler_.assemble(there, history_)) return std::nullopt;
-    out[k] = assembler_.internal_force();
+    out.force[k] = assembler_.internal_force();
+    out.branch[k] = flow_branches(separated_, history_, there);
   }
   return out;
 }
 
-bool ElementTangents::difference(double factor, std::vector<Quotients>& out) {
-  const int columns = pieces_.empty() ? 0 : std::ranges::max(pieces_, {}, &Piece::components).components();
+void ElementTangents::improve(const BodyPiece& piece, int column, double factor, const Forces& at,
+                              Differences& out) const {
+  if (!branch_.empty() && piece.kind != Kind::Tie)
+    for (std::size_t p = 0; p < piece.points.size(); ++p)
+      for (const auto& branch : at.branch)
+        if (branch[piece.points[p]] != branch_[piece.points[p]]) {
+          out.other = branch[piece.points[p]];
+          out.other_point = p;
+          return;
+        }
+  const int n = piece.components();
+  for (int row = 0; row < n; ++row) {
+    const Index r = 2 * piece.first + row;
+    const auto& f = at.force;
+    const auto q = quotient({f[0][r], f[1][r], f[2][r], f[3][r]}, factor * piece.step[column / 2]);
+    if (auto& best = out.of[column * n + row]; q.uncertainty < best.uncertainty) best = q;
+  }
+}
+
+void ElementTangents::difference(double factor) {
+  const int columns = pieces_.empty() ? 0 : std::ranges::max(pieces_, {}, &BodyPiece::components).components();
   for (int column = 0; column < columns; ++column) {
-    const auto force = forces(column, factor);
-    if (!force) return false;
+    const auto at = forces(column, factor);
+    if (!at) continue;
     for (std::size_t p = 0; p < pieces_.size(); ++p)
-      if (column < pieces_[p].components()) improve(pieces_[p], column, factor, *force, out[p]);
-  }
-  return true;
-}
-
-void ElementTangents::improve(const Piece& piece, int column, double factor, const Forces& force, Quotients& out) {
-  for (int row = 0; row < piece.components(); ++row) {
-    const Index at = 2 * piece.first + row;
-    const auto q = quotient({force[0][at], force[1][at], force[2][at], force[3][at]}, factor * piece.step);
-    if (auto& best = out[row][column]; q.uncertainty < best.uncertainty) best = q;
+      if (column < pieces_[p].components() && !differences_[p].certain)
+        improve(pieces_[p], column, factor, *at, differences_[p]);
   }
 }
 
-bool ElementTangents::is_certain(const Matrix& exact, const Quotients& differences, int components, double tolerance) {
-  for (int row = 0; row < components; ++row)
-    for (int column = 0; column < components; ++column)
-      if (!tangent_check::is_certain(differences[row][column], exact.row(row).cwiseAbs().maxCoeff(), tolerance))
-        return false;
-  return true;
+bool ElementTangents::all_certain(double tolerance) {
+  bool out = true;
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const BodyPiece& piece = pieces_[p];
+    bool& certain = differences_[p].certain;
+    if (certain) continue;
+    const int n = piece.components();
+    certain = true;
+    for (int row = 0; row < n && certain; ++row) {
+      const double largest = scale(piece, row);
+      for (int column = 0; column < n && certain; ++column)
+        certain = is_certain(differences_[p].of[column * n + row], largest, tolerance);
+    }
+    out &= certain;
+  }
+  return out;
+}
+
+bool ElementTangents::any_kinked() const {
+  return std::ranges::any_of(differences_, [](const Differences& d) { return d.other && !d.certain; });
+}
+
+void ElementTangents::sum_up(std::size_t number, double load, double tolerance, TangentReport& report) const {
+  const BodyPiece& piece = pieces_[number];
+  const Differences& differences = differences_[number];
+  auto& block = report.blocks[block_name(piece)];
+  ++block.pieces;
+  const int n = piece.components();
+  bool certain = true;
+  for (int row = 0; row < n; ++row) {
+    const double largest = scale(piece, row);
+    for (int column = 0; column < n; ++column)
+      certain &= count(block,
+                       {load, 2 * piece.unknowns[row / 2] + row % 2, 2 * piece.unknowns[column / 2] + column % 2,
+                        entry(piece, row, column), 0, 0, largest, piece.points[0], kNone},
+                       differences.of[column * n + row], tolerance);
+  }
+  if (certain) return;
+  const Index point = piece.points[differences.other_point];
+  report.kinks.push_back({differences.other ? fmt::format("between {} and {}", cleft::name_of(branch_[point]),
+                                                          cleft::name_of(*differences.other))
+                                            : std::string(kUnclear),
+                          load, point, kNone});
 }
 
 std::optional<assembly::Failure> ElementTangents::check(double load, double tolerance, TangentReport& report) {
   if (auto failure = assembler_.assemble(u_, history_)) return failure;
   matrix_ = assembler_.matrix();
-  std::vector<Quotients> differences(pieces_.size());
-  bool any = false;
-  for (const double factor : {1.0, 1.0 / 16, 16.0}) {
-    any |= difference(factor, differences);
-    bool certain = any;
-    for (std::size_t p = 0; p < pieces_.size() && certain; ++p)
-      certain = is_certain(tangent(pieces_[p]), differences[p], pieces_[p].components(), tolerance);
-    if (certain) break;
+  differences_.clear();
+  for (const BodyPiece& piece : pieces_)
+    differences_.push_back({std::vector<Quotient>(piece.components() * piece.components())});
+  for (std::size_t k = 0; k < kFactors.size(); ++k) {
+    difference(kFactors[k]);
+    if (all_certain(tolerance) || (k + 1 >= kOrdinaryFactors && !any_kinked())) break;
   }
-  for (std::size_t p = 0; p < pieces_.size(); ++p) {
-    const Piece& piece = pieces_[p];
-    const Matrix exact = tangent(piece);
-    auto& block = report.blocks[name_of(piece)];
-    ++block.pieces;
-    bool certain = true;
-    for (int row = 0; row < piece.components(); ++row)
-      for (int column = 0; column < piece.components(); ++column)
-        certain &= count(block,
-                         {load, 2 * piece.unknowns[row / 2] + row % 2, 2 * piece.unknowns[column / 2] + column % 2,
-                          exact(row, column), 0, 0, exact.row(row).cwiseAbs().maxCoeff(), piece.cells[0], kNone},
-                         differences[p][row][column], tolerance);
-    if (!certain) report.kinks.push_back({kUnclear, load, piece.cells[0], kNone});
-  }
+  for (std::size_t p = 0; p < pieces_.size(); ++p) sum_up(p, load, tolerance, report);
   return std::nullopt;
 }
 

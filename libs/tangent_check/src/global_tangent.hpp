@@ -16,17 +16,24 @@ struct GlobalForce {
 };
 using Evaluate = std::function<GlobalForce(const VecX& u)>;
 
-/// The block that takes the entries of a row of unknowns.
-using BlockOfRow = std::function<TangentBlock&(Index unknown)>;
+/// The block that takes the entries of a row of unknowns; null for rows that are not compared.
+using BlockOfRow = std::function<TangentBlock*(Index unknown)>;
+
+/// Steps of differences, metres.
+struct GlobalSteps {
+  std::vector<double> first;  ///< per unknown
+  double least = 0.0;         ///< below which rounding shows
+};
 
 /// A matrix, and the force whose derivative it should be.
 struct MatrixCheck {
   const assembly::BlockMatrix& matrix;
-  const VecX& u;             ///< where, metres, all components
-  std::vector<double> step;  ///< of the differences, per unknown, metres
+  const VecX& u;  ///< where, metres, all components
+  const GlobalSteps& steps;
   Evaluate evaluate;
   BlockOfRow block_of;
   double load = 0.0, tolerance = 0.0;
+  VecX least_scale{};  ///< of each row, by which entries are measured if all in it are smaller; empty: none
 };
 
 /// Compares all columns, many at a time. A force that changes although none of the moved columns has an entry in its

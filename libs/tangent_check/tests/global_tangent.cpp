@@ -37,14 +37,15 @@ struct Chain {
   TangentBlock check(std::vector<Index> kinked = {}) const {
     TangentBlock out;
     out.pieces = 1;
+    const GlobalSteps steps{{0x1p-17, 0x1p-17, 0x1p-18}};
     check_matrix({.matrix = matrix,
                   .u = u,
-                  .step = {0x1p-17, 0x1p-17, 0x1p-18},
+                  .steps = steps,
                   .evaluate =
                       [&](const VecX& at) {
                         return GlobalForce{force(at), kinked};
                       },
-                  .block_of = [&](Index) -> TangentBlock& { return out; },
+                  .block_of = [&](Index) { return &out; },
                   .tolerance = 1e-6});
     return out;
   }

@@ -76,5 +76,19 @@ TEST(VisitBetween, StopsOnceMoreWhereTheRunFails) {
   EXPECT_LT(seen[0], 0.1);
 }
 
+TEST(VisitIncrements, StopsInEveryIncrementAndKnowsHowLongItTakes) {
+  Plain run({"mesh.cells=[2,4]", "loading.steps=4"});
+  std::vector<double> seen, after;
+  EXPECT_FALSE(visit_increments(run.body, [&](const IntermediateState& b) {
+    EXPECT_EQ(b.of, IntermediateState::Of::Increment);
+    EXPECT_NEAR(b.before.history.duration, 0.25, 1e-12);
+    seen.push_back(b.load);
+    after.push_back(b.after);
+    return true;
+  }));
+  expect_near(seen, {0.0925, 0.3425, 0.5925, 0.8425});
+  expect_near(after, {0.25, 0.5, 0.75, 1.0});
+}
+
 }  // namespace
 }  // namespace cleft::tangent_check

@@ -49,8 +49,8 @@ TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
     std::vector<std::string> overrides;
     std::vector<const char*> branches;
   };
-  const std::vector<Run> runs{{"block", {"mesh.cells=[8,16]"}, {"contact hat slip"}},
-                              {"rotation", {"crack.joint.friction=0.6", "loading.steps=10"}, {"contact hat stick"}}};
+  const std::vector<Run> runs{{"block", {"mesh.cells=[8,16]"}, {"multiplier slip"}},
+                              {"rotation", {"crack.joint.friction=0.6", "loading.steps=10"}, {"multiplier stick"}}};
   for (const auto& run : runs) {
     const std::string crack = std::string(run.scene) == "block" ? "main" : "joint";
     for (const char* contact : {"{method='mortar'}", "{method='mortar',smoothing=0}"})
@@ -63,6 +63,7 @@ TEST(CheckTangent, JudgesTheMultipliersOfMortarContactInEveryBranch) {
         EXPECT_LT(report.worst(), 1e-8) << run.scene << contact << side;
         EXPECT_TRUE(report.enough());
         for (const char* branch : run.branches) EXPECT_GT(report.blocks[branch].entries, 0) << branch;
+        EXPECT_GT(report.blocks["multiplier forces"].entries, 0);
         EXPECT_EQ(report.blocks.count("contact slip"), 0U) << "the points carry nothing themselves";
       }
   }
@@ -79,7 +80,7 @@ TEST(CheckTangent, ListsWhereTheOtherFaceEnds) {
                              fmt::format("crack.main.negative_side={}", side), fmt::format("boundary.top.ux={}", along),
                              "boundary.top.uy=-0.015", "loading.steps=10", "loading.outputs=[1.0]"});
       TangentReport report = body.along_the_run(5);
-      EXPECT_LT(report.worst(), 1e-8) << along << side;
+      EXPECT_LT(report.worst(), 1e-7) << along << side << ": steps that avoid a kink are shorter and round more";
       EXPECT_TRUE(report.enough());
     }
 }
@@ -109,9 +110,9 @@ TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
     EXPECT_TRUE(report.enough());
     const auto cells = static_cast<long>(block.model().cells.size()),
                points = static_cast<long>(block.model().surfaces.points.size());
-    EXPECT_EQ(report.blocks["bulk left"].pieces, 3 * static_cast<long>(block.model().cut.elements.size()));
-    EXPECT_EQ(report.blocks["bulk right"].pieces, report.blocks["bulk left"].pieces);
-    EXPECT_EQ(report.blocks["bulk"].pieces, 3 * cells - 2 * report.blocks["bulk left"].pieces);
+    EXPECT_EQ(report.blocks["bulk elastic left"].pieces, 3 * static_cast<long>(block.model().cut.elements.size()));
+    EXPECT_EQ(report.blocks["bulk elastic right"].pieces, report.blocks["bulk elastic left"].pieces);
+    EXPECT_EQ(report.blocks["bulk elastic"].pieces, 3 * cells - 2 * report.blocks["bulk elastic left"].pieces);
     long judged = 0;
     for (const char* name : {"contact open", "contact slip", "contact at a mouth"})
       judged += report.blocks[name].pieces;
@@ -124,15 +125,15 @@ TEST(CheckTangent, JudgesAllCellsBySideAndAllPointsByStatus) {
 TEST(CheckTangent, JudgesPatchesAsOnePiece) {
   for (const char* scene : {"block", "block_yield_small", "block_yield_finite"}) {
     Subject block(scene, {"mesh.cells=[8,16]", "formulation.f_bar=true"});
-    TangentReport report = block.along_the_run(3);
+    const TangentReport report = block.along_the_run(3);
     EXPECT_LT(report.worst(), 1e-7) << scene;
     EXPECT_TRUE(report.enough());
     const auto& partner = block.model().f_bar_partner;
     const long singles = std::ranges::count(partner, kNone), cells = static_cast<long>(partner.size());
     long alone = 0, pairs = 0;
-    for (const char* side : {"", " left", " right"}) {
-      alone += report.blocks["bulk" + std::string(side)].pieces;
-      pairs += report.blocks["patch" + std::string(side)].pieces;
+    for (const auto& [name, pieces] : report.blocks) {
+      if (name.starts_with("bulk")) alone += pieces.pieces;
+      if (name.starts_with("patch")) pairs += pieces.pieces;
     }
     EXPECT_EQ(alone, 3 * singles);
     EXPECT_EQ(pairs, 3 * (cells - singles) / 2);

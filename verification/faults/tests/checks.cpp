@@ -16,8 +16,6 @@ namespace {
 
 const std::string kScenes = std::string(CLEFT_SOURCE_DIR) + "/verification/scenes/";
 
-Verdict by_exit_code(int code) { return code == 0 ? Verdict::Holds : code == 1 ? Verdict::Fails : Verdict::NoAnswer; }
-
 bool runs(const std::string& program, const std::string& scene, const std::string& folder) {
   return call(program, "run " + kScenes + scene + ".toml -o " + folder) == 0;
 }
@@ -33,19 +31,16 @@ int call(const std::string& program, const std::string& arguments) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-Outcome tangent_of_block(const std::string& program) {
-  FILE* pipe =
-      popen((program + " tangent " + kScenes + "block.toml --set 'mesh.cells=[8,16]' --states 3").c_str(), "r");
+Outcome outcome_of(const std::string& program, const std::string& verb, const std::string& scene,
+                   const std::vector<std::string>& values) {
+  std::string command = program + " " + verb + " " + kScenes + scene + ".toml";
+  for (const auto& value : values) command += " --set '" + value + "'";
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::string text;
   char buffer[4096];
   while (const std::size_t n = fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, n);
-  return {WEXITSTATUS(pclose(pipe)), text};
-}
-
-Verdict tangent(const std::string& program, const std::string&) { return by_exit_code(tangent_of_block(program).code); }
-
-Verdict newton(const std::string& program, const std::string&) {
-  return by_exit_code(call(program, "newton " + kScenes + "block.toml --set 'mesh.cells=[16,32]'"));
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
 }
 
 // Forces of a block that slides: horizontal over vertical is the coefficient of friction.

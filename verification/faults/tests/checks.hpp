@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace cleft::verification {
 
@@ -15,19 +16,18 @@ struct Check {
   Verdict (*of)(const std::string& program, const std::string& folder);
 };
 
-Verdict tangent(const std::string& program, const std::string& folder);
-Verdict newton(const std::string& program, const std::string& folder);
 Verdict drag(const std::string& program, const std::string& folder);
 Verdict rotation(const std::string& program, const std::string& folder);
 Verdict pressure(const std::string& program, const std::string& folder);
 Verdict balance(const std::string& program, const std::string& folder);
 
-/// The tangent's differences on the block, with what is printed.
+/// What a verb prints of a scene, given by its name and the values of other keys, and its exit code.
 struct Outcome {
   int code;
   std::string text;
 };
-Outcome tangent_of_block(const std::string& program);
+Outcome outcome_of(const std::string& program, const std::string& verb, const std::string& scene,
+                   const std::vector<std::string>& values);
 
 /// Exit code of a program; what it prints is dropped.
 int call(const std::string& program, const std::string& arguments);

@@ -63,6 +63,9 @@ double yield_function(const DruckerPrager& material, double pressure, double she
 
 enum class Branch { Elastic, Smooth, Apex };
 
+/// A deviatoric strain that is rounding.
+inline constexpr double kRoundedStrain = 1e-13;
+
 /// A tangent d(stress) = lambda tr(de) 1 + 2 mu de + (one_n 1 + n_n n)(n : de) + n_one tr(de) n, all in Pa, where n is
 /// a deviatoric unit tensor: the direction of the trial deviator.
 struct Moduli {

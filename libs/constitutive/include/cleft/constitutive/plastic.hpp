@@ -61,6 +61,10 @@ struct FinitePlastic : DruckerPrager {
   /// Tangent of continued flow at F and the state at rest there, for the analysis of localisation.
   ContinuumTangent continuum_tangent(const Mat2& deformation, const PlasticState& updated) const;
 
+  /// Whether a step that flows has returned to the apex of the cone: at F with the state of its end the elastic strain
+  /// has no deviator.
+  bool is_on_apex(const Mat2& deformation, const PlasticState& updated) const;
+
   /// What one point remembers that takes the place of several: the means of ln C^p^-1 and of what has accumulated. So
   /// ln det C^p^-1 is the mean, too, and flow at constant volume stays that; the mean of C^p^-1 itself would swell
   /// (diag(4, 1/4) and diag(1/4, 4) to the determinant 4.5). What all have in common is the mean to the last bit. Needs
@@ -84,6 +88,7 @@ struct SmallPlastic : DruckerPrager {
   PlasticWork dissipation(const OfPatch<Mat2>& gradient, const PatchPast& past) const;
   double out_of_plane_stress(const Mat2& gradient, const PlasticState& updated) const;
   ContinuumTangent continuum_tangent(const Mat2& gradient, const PlasticState& updated) const;
+  bool is_on_apex(const Mat2& gradient, const PlasticState& updated) const;
   static PlasticState mean(std::span<const WeightedState> states) { return linear_mean(states); }
   static void share_volume(OfPatch<PlasticState>& states, const OfPatch<double>& share);
 };

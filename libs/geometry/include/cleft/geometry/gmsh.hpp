@@ -29,4 +29,9 @@ namespace cleft::geometry {
 /// surfaces, and edges of a physical curve that no triangle has.
 Mesh read_gmsh(const std::string& file);
 
+/// Writes a mesh as text, version 2.2, with all digits: read_gmsh gives it back to the last bit, but for the order of
+/// a boundary's edges. Boundaries and regions become physical groups of their names. Throws std::runtime_error with
+/// path and reason if the file cannot be written.
+void write_gmsh(const Mesh& mesh, const std::string& file);
+
 }  // namespace cleft::geometry

@@ -64,6 +64,9 @@ double triangle_area(const Mesh& mesh, Index t);
 /// Side of a square of two such triangles, metres.
 double element_size(const Mesh& mesh, Index t);
 
+/// Side of a square of two triangles of mean area, metres: the width of square cells.
+double mean_element_size(const Mesh& mesh);
+
 /// Smallest angle of any triangle, degrees.
 double least_angle(const Mesh& mesh);
 

@@ -81,6 +81,8 @@ class Evolution {
   const solve::LoadStepper& stepper() const { return *stepper_; }
   const assembly::Model& model() const { return *model_; }
   const Record& record() const { return record_; }
+  /// Attempts of the last call of `advance` whose iteration failed, in their order.
+  const std::vector<solve::FailedAttempt>& failed_attempts() const { return failed_attempts_; }
 
   /// The state that the last step of growth started from, on the present model; not in balance.
   const assembly::State& origin() const { return origin_; }
@@ -113,11 +115,12 @@ class Evolution {
   std::variant<Step, assembly::Failure> increase(const solve::IterationObserver& observer);
   std::variant<Step, assembly::Failure> grow(const solve::IterationObserver& observer);
   std::variant<Attempt, assembly::Failure> attempt(const std::vector<PendingAdvance>& due,
-                                                   const solve::IterationObserver& observer) const;
+                                                   const solve::IterationObserver& observer);
   std::optional<std::vector<PendingAdvance>> corrected(const Attempt& tried) const;
   Vec2 destination(const PendingAdvance& due, const Vec2& from, double length) const;
   Advance lengthen(const PendingAdvance& due, std::vector<geometry::Crack>& cracks) const;
   void count(const solve::LoadStepper& done_with);
+  void add_failed_attempts(const solve::LoadStepper& of);
   void replace(std::unique_ptr<const assembly::Model> model, std::unique_ptr<solve::LoadStepper> stepper);
 
   problem::Specification specification_;
@@ -127,6 +130,7 @@ class Evolution {
   std::unique_ptr<solve::LoadStepper> stepper_;
   Record record_;
   assembly::State origin_;
+  std::vector<solve::FailedAttempt> failed_attempts_;
   assembly::AssemblySeconds assembly_before_;
   solve::SolverSeconds solver_before_;
 };

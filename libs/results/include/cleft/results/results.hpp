@@ -18,8 +18,9 @@ class Results {
   Results(Contents contents, std::string directory, const Checkpoint* resumed);
   ~Results();
 
-  /// Adds what a step shows to history.csv, newton.csv and growth.csv, and its fields to files of their own and to
-  /// those of the cracks. Both throw std::runtime_error with path and reason.
+  /// Adds the failed attempts at a step to newton.csv; what a step shows to history.csv, newton.csv and growth.csv; its
+  /// fields to files of their own and to those of the cracks. All throw std::runtime_error with path and reason.
+  void add_failed_attempts(int step, const std::vector<solve::FailedAttempt>& attempts);
   void add_step(const growth::Step& step, const solve::LoadStepper& stepper);
   void add_fields(const growth::Step& step, const solve::LoadStepper& stepper);
 
@@ -39,6 +40,7 @@ class Results {
   std::string directory_;
   std::map<std::string, LineLog> logs_;
   std::vector<PvdEntry> outputs_;
+  int failed_attempts_ = 0;  // at the step to come
 };
 
 }  // namespace cleft::results

@@ -34,7 +34,8 @@ struct RunOptions {
   double last_load = 1.0;  ///< the run ends with the first increment that reaches it
   std::function<void(const std::string&)> remark;  ///< hears the remarks on the scene, and what grows
   std::function<void(const Progress&)> observer;
-  const std::atomic<bool>* stop = nullptr;  ///< set to end the run after the increment under way
+  std::function<void(const solve::Step&)> step;  ///< hears each step that is recorded
+  const std::atomic<bool>* stop = nullptr;       ///< set to end the run after the increment under way
 };
 
 struct RunResult : results::Counts {

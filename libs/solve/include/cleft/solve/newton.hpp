@@ -2,12 +2,14 @@
 /// One load increment by Newton's method.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 
 #include "cleft/assembly/assembler.hpp"
 #include "cleft/assembly/state.hpp"
 #include "cleft/solve/linear_solver.hpp"
+#include "cleft/support/names.hpp"
 
 namespace cleft::solve {
 
@@ -19,6 +21,18 @@ struct NewtonControls {
   bool extrapolate = true;  ///< start from the last increment continued
 };
 
+/// Where the residual of an iterate is largest: at a node, at the contact point or the flowing material point there
+/// that acts on it, or at the branch functions of a tip.
+struct LargestResidual {
+  enum class At : std::uint8_t { Nowhere, Node, Contact, Flow, Tip };  ///< nowhere: it is zero
+  At at = At::Nowhere;
+  Vec2 place = Vec2::Zero();  ///< undeformed, in the scene's coordinates, metres
+};
+constexpr std::array<Named<LargestResidual::At>, 5> names_of(LargestResidual::At) {
+  using At = LargestResidual::At;
+  return {{{At::Nowhere, "none"}, {At::Node, "node"}, {At::Contact, "contact"}, {At::Flow, "flow"}, {At::Tip, "tip"}}};
+}
+
 /// One iteration: a residual and the correction that it leads to.
 struct Iteration {
   double residual = 0.0;    ///< before the correction, relative to the force scale
@@ -28,10 +42,15 @@ struct Iteration {
   double energy = 0.0;      ///< residual times correction, J/m
   int partner_changes = 0;  ///< contact points with another partner face than an iteration before
   int status_changes = 0;   ///< contact points, and cells that flow or not, with another status than then
+  int flow_changes = 0;     ///< material points on another branch (elastic, cone, apex) than then
   double factor_seconds = 0.0, assembly_seconds = 0.0;
   bool kept = false;               ///< the correction was made with the factors of an iteration before
   std::optional<Pivots> pivots{};  ///< of regular factors, without the signs that the constraints of contact make
   bool cycles = false;             ///< points of contact go round in circles; this correction was halved
+  LargestResidual largest{};
+
+  /// Whether the equations have kinked since the iteration before.
+  bool switches() const { return partner_changes + status_changes + flow_changes > 0; }
 };
 
 /// Where an increment ends: at a load, or, with an arc increment, where the path coordinate of the state
@@ -51,7 +70,7 @@ struct Increment {
   VecX displacement;
   std::vector<Iteration> iterations;
   bool extrapolated = false;  ///< it began where the last increment leads if it goes on
-  Iteration left;             ///< residual after the last correction, with no correction of its own
+  Iteration left;             ///< the last residual, with no correction of its own
   double force = 0.0;         ///< the scale of that residual, N/m
   double rounded = 0.0;       ///< the same over the largest force so far, where rounding ended the iteration; else 0
 };
@@ -89,19 +108,30 @@ inline constexpr double kUnnoticedResidual = 1e-5;
 /// progress: two solutions with one factorisation, the second for the derivative with regard to the load.
 Increment solve_increment(const NewtonProblem& problem, const Goal& goal);
 
+/// The corrections of an iteration from where nothing switches any more: no contact point changes its partner or
+/// status, no material point its branch, and none was halved. They end with the first one made with old factors, which
+/// still shows the error before it.
+struct SettledCorrections {
+  std::span<const Iteration> all;
+  std::size_t clear = 0;            ///< of these, from the first on, are above rounding
+  const Iteration* next = nullptr;  ///< what the last clear one led to, at the level of rounding: only an upper bound
+};
+
+/// A correction is above rounding if its residual is, or if the next one is ten times smaller: rounding does not
+/// shrink. `iterations` are those of one increment and what they left.
+SettledCorrections settled_corrections(std::span<const Iteration> iterations);
+
 /// How fast an iteration converged.
 struct ConvergenceOrder {
   double order = 0.0;
   bool at_least = false;  ///< the last correction was at the level of rounding: the true order is not smaller
 };
 
-/// Order of convergence, log(g3 / g2) / log(g2 / g1) of the last three corrections above rounding, counted from where
-/// no contact point changed its partner or status any more to the first one made with old factors, which still shows
-/// the error before it. `g` is the largest displacement gradient of a correction. A correction is above rounding if its
-/// residual is, or if the next one is ten times smaller: rounding does not shrink. Where there are two only, the next
-/// one, which rounding can but enlarge, gives a lower bound; it is taken in the largest displacement as well, and the
-/// higher bound counts, as the order does not depend on the norm. `iterations` are those of one increment and what they
-/// left. Nothing where there are not even those, or where the second is more than half of the first.
+/// Order of convergence, log(g3 / g2) / log(g2 / g1) of the last three settled corrections above rounding. `g` is the
+/// largest displacement gradient of a correction. Where there are two only, the next one, which rounding can but
+/// enlarge, gives a lower bound; it is taken in the largest displacement as well, and the higher bound counts, as the
+/// order does not depend on the norm. Nothing where there are not even those, or where the second is more than half of
+/// the first.
 ///
 /// Three numbers show the order only as far as the constant C of e' = C e^2 is the same in both steps. The strains'
 /// nonlinearity is quadratic in the displacement gradient, at each point on its own: in the largest gradient C hardly

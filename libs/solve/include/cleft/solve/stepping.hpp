@@ -35,6 +35,12 @@ struct StepControls {
   NewtonControls newton;
 };
 
+/// An attempt at an increment that did not converge.
+struct FailedAttempt {
+  double load = 0.0;                  ///< at its end, or where its last iterate was on a path
+  std::vector<Iteration> iterations;  ///< the last one has no correction if it failed at that residual
+};
+
 /// What a converged increment leaves.
 struct Step {
   int number = 0;  ///< from 1
@@ -121,6 +127,8 @@ class LoadStepper {
   const contact::FacePositions& face_positions() const { return assembler_.face_positions(); }
   const assembly::Assembler& assembler() const { return assembler_; }
   const LinearSolver& solver() const { return solver_; }
+  /// Attempts of the last call of `advance` or `equilibrate` whose iteration failed, in their order.
+  const std::vector<FailedAttempt>& failed_attempts() const { return failed_attempts_; }
   StepPlace place() const { return place_; }
 
   /// Goes on from what an earlier run kept; without reserved couplings, with those at rest.
@@ -202,6 +210,7 @@ class LoadStepper {
   assembly::State state_;
   StepPlace place_;
   std::vector<contact::Pair> pairs_;
+  std::vector<FailedAttempt> failed_attempts_;
 };
 
 }  // namespace cleft::solve

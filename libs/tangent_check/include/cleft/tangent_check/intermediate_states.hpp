@@ -11,17 +11,39 @@ namespace cleft::tangent_check {
 /// Part of the way from one converged state to the next, with the history of the first: contact points that slide do so
 /// in earnest, and none that sticks has just reached its limit.
 struct IntermediateState {
+  /// Between converged states of two loads; from the state that grown cracks were cut through; along the first
+  /// correction of an increment that failed.
+  enum class Of : std::uint8_t { Increment, Growth, Failure };
+
   const assembly::Model& model;
-  const assembly::State& before;  ///< the first of the two converged states
+  const assembly::State& before;  ///< the first of the two converged states; its duration is that of the increment
   VecX displacement;              ///< metres, all components
   double load = 0.0;
+  double after = 0.0;  ///< load of the second of the two
+  Of of = Of::Increment;
 };
 
-/// Takes the run to its end and stops on the way in `states` increments, evenly over the load (in fewer if the run has
-/// fewer), and wherever cracks have grown, on the way from the state that they were cut through. Ends early where
-/// `visit` returns false. Where the run fails it stops once more, part of the way along the first correction of an
-/// increment from what converged last, and returns the failure.
-[[nodiscard]] std::optional<assembly::Failure> visit_intermediate_states(
-    growth::Evolution& body, int states, const std::function<bool(const IntermediateState&)>& visit);
+/// False: the run ends here.
+using StateVisitor = std::function<bool(const IntermediateState&)>;
+
+/// Takes the run to its end and stops on the way in every increment and wherever cracks have grown. Where the run fails
+/// it stops once more, and returns the failure.
+[[nodiscard]] std::optional<assembly::Failure> visit_increments(growth::Evolution& body, const StateVisitor& visit);
+
+/// Chooses `states` increments of a run, evenly over the load (fewer if the run has fewer), and all other stops.
+class EvenlyOverLoad {
+ public:
+  explicit EvenlyOverLoad(int states) : states_(states) {}
+  bool takes(const IntermediateState& state);
+  bool done() const { return taken_ >= states_; }
+
+ private:
+  double next() const { return (taken_ + 0.5) / states_; }
+  int states_, taken_ = 0;  // loads (k + 1/2) / states that are behind
+};
+
+/// Stops at the chosen states, and ends behind the last of them.
+[[nodiscard]] std::optional<assembly::Failure> visit_intermediate_states(growth::Evolution& body, int states,
+                                                                         const StateVisitor& visit);
 
 }  // namespace cleft::tangent_check

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,13 +13,29 @@
 
 namespace cleft::tangent_check {
 
-/// One converged increment of a run.
+/// What the settled corrections of an iteration show (solve::settled_corrections). The size of an error is measured in
+/// four ways: by the largest displacement gradient of the correction, its largest displacement, the root of its energy
+/// and the residual. The order does not depend on which, but three numbers show it only as far as the error keeps its
+/// shape.
+struct ObservedRate {
+  std::size_t corrections = 0;          ///< above rounding
+  std::optional<double> order;          ///< the highest of the four
+  bool is_bound = false;                ///< too few corrections are above rounding: the order is this or higher
+  std::optional<double> at_unit_scale;  ///< solve::order_at_unit_scale
+  std::optional<std::array<double, 2>> constants;  ///< g+/g^2 of the last two steps above rounding, g the gradient
+  std::optional<std::array<double, 2>> ratios;     ///< g+/g of the same steps
+  std::optional<double> least_ratio;  ///< g+/g of the last step above rounding or of the one to rounding, the smaller
+  bool starts_at_rounding = false;    ///< the first residual is so near rounding that no order can show
+};
+ObservedRate observe(const std::vector<solve::Iteration>& iterations);
+
+/// One attempt at an increment of a run.
 struct IncrementRate {
   int step = 0;
   double load = 0.0;
+  bool failed = false;
   std::vector<solve::Iteration> iterations;  ///< the last one is the residual that was left
-  std::optional<solve::ConvergenceOrder> order;
-  std::optional<double> at_unit_scale;  ///< solve::order_at_unit_scale
+  ObservedRate rate;
 };
 
 /// Reads newton.csv of a run's folder. Throws std::runtime_error with path and reason.
@@ -30,21 +47,41 @@ struct RateRequirement {
   double least = 1.5;  ///< order that none may fall short of
 };
 
-/// An increment is judged if its order is known, or if a lower bound of it reaches what is required. Good iterations
-/// are over before three corrections show an order: where the order at unit scale reaches what is required it says that
-/// an increment need not be worried about, but cannot show a miss, and so counts for `enough` only.
+/// What an iteration says of the tangent. With an error of the tangent of relative size q, corrections in the end
+/// shrink by q and no more: their ratio stays what it is and g+/g^2 grows by 1/q from step to step.
+enum class Finding : std::uint8_t {
+  Order,      ///< the required order, by the best of the four sizes
+  Linear,     ///< a step that leaves 1e-6 of a correction: the problem is linear, or no error of the tangent is larger
+  Constant,   ///< g+/g^2 is bounded: at most 10, or ten times that of the step before, and g+/g falls tenfold
+  UnitScale,  ///< two corrections only, the second no larger than the first to the power of the order: no miss can show
+  AtRounding,  ///< it begins at rounding, there is nothing to see
+  Unknown,     ///< too few corrections
+  Missed
+};
+Finding find(const ObservedRate& rate, const RateRequirement& required);
+
+enum class RateAnswer : std::uint8_t { Holds, Misses, Unknown };
+
 struct RateVerdict {
-  std::size_t increments = 0, judged = 0, reach = 0;  ///< those that reach the required order
-  std::size_t bounds = 0;                             ///< judged ones of which only a lower bound is known
-  std::size_t scaled = 0;                             ///< not judged, but of the required order at unit scale
-  std::array<double, 5> orders{};                     ///< of the judged ones: lowest, quartiles with median, highest
-  double lowest() const { return orders.front(); }
-  std::vector<IncrementRate> missed;  ///< judged and below the required order
-  std::vector<IncrementRate> unjudged;
-  bool enough = false;  ///< at least half of the increments are judged or of the required order at unit scale
-  bool holds = false;
+  std::size_t increments = 0;          ///< that converged
+  std::size_t failed = 0;              ///< attempts
+  std::array<std::size_t, 7> count{};  ///< by finding, of the increments, and of the failed attempts that miss
+  std::array<double, 5> orders{};      ///< known ones of what is judged: lowest, quartiles with median, highest
+  std::optional<double> sharpest;  ///< least ratio of corrections that is known: a larger error of the tangent may show
+  std::vector<IncrementRate> missed;
+  std::vector<IncrementRate> unknown;
+  bool ends_in_failure = false;  ///< no increment converged after the last failed attempts
+  RateAnswer answer = RateAnswer::Unknown;
+  std::string reason;  ///< unless it holds
+
+  std::size_t of(Finding finding) const { return count[static_cast<std::size_t>(finding)]; }
+  std::size_t reach() const { return of(Finding::Order) + of(Finding::Linear) + of(Finding::Constant); }
+  std::size_t judged() const { return reach() + of(Finding::Missed); }
 };
 RateVerdict judge(const std::vector<IncrementRate>& rates, const RateRequirement& required);
+
+/// Whether so many increments converge linearly that those to come do not matter: five in a row.
+bool is_clearly_linear(const std::vector<IncrementRate>& rates, const RateRequirement& required);
 
 /// The scene with iterations that go on until rounding stops them, and make at least four corrections: little can be
 /// said of an iteration that stops after two because they were good enough.

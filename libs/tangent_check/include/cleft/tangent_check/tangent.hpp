@@ -2,8 +2,10 @@
 /// The assembled tangent against differences of the assembled internal force, piece by piece and as a whole.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,25 +43,53 @@ struct TangentKink {
   Index cell = kNone, point = kNone;
 };
 
+/// |R(u + e v) - R(u) - e K v| as e falls, for the residual R, the assembled tangent K and one direction v that moves
+/// every unknown. An exact tangent leaves a remainder of second order in e. Rows of what changes its branch in between
+/// do not count.
+struct TaylorTest {
+  int states = 0;                                          ///< that could be judged
+  int unclear = 0;                                         ///< and that could not: kinks or rounding at every e
+  double order = std::numeric_limits<double>::infinity();  ///< the lowest; of remainders that are more than rounding
+  double first_order = 0.0;  ///< the largest part of first order in e, relative to |e K v|
+  double load = 0.0;         ///< where that is
+  std::string force;         ///< and the component of the force with the most of it, in words
+};
+
 struct TangentReport {
-  /// By name: "bulk", "bulk left", "bulk right" (whole triangles, and either side of cut ones) cell by cell, and
-  /// "patch", "patch left", "patch right" of f_bar; "contact open", "contact stick", "contact slip", "contact first
-  /// touch", "contact at a mouth" point by point; "assembled".
+  /// By name, piece by piece: "bulk", "patch" (of f_bar) and "tip" (points of branch functions), each with the branch
+  /// of its law, "elastic", "cone", "apex", "viscous cone" or "viscous apex", of patches also "mixed", and with " left"
+  /// or " right" beside a crack; "ghost tie"; "contact open", "contact stick", "contact slip", "contact first touch",
+  /// "contact at a mouth". As a whole: "multiplier forces" of mortar contact and the conditions of its nodes; and
+  /// "assembled".
   std::map<std::string, TangentBlock> blocks;
+  std::set<std::string> possible;  ///< branches that the scene has: names of blocks without sides
   std::vector<TangentKink> kinks;
+  TaylorTest taylor;
   int states = 0;
 
   double worst() const;
-  /// Whether at least half of the entries of every block were judged, and contact points that press if there are any.
-  bool enough() const;
+  /// Whether some entry of a branch has been judged.
+  bool visited(const std::string& branch) const;
+  std::vector<std::string> not_visited() const;
+  /// Whether some entry was judged of a branch whose name has all these words, which blanks divide.
+  bool has_judged(const std::string& words) const;
+  /// Why too little was judged to tell whether the tangent holds: blocks of whose entries less than half was judged, or
+  /// less than a quarter of the contact points that press; one reason each. Empty: enough was.
+  std::vector<std::string> gaps() const;
+  bool enough() const { return gaps().empty(); }
 };
+
+/// All words of the names of branches, and whether some name has all of these, which blanks divide.
+std::vector<std::string> words_of_branches();
+bool names_a_branch(const std::string& words);
 
 /// Compares at displacements `u` (metres, all components), reached at `load` from the committed `history`. They must
 /// lie off the state in which the history was committed, where each sliding point sits between stick and slip.
 ///
-/// Every cell and every contact point is assembled by itself, so that no entry mixes two kinds, and then everything
-/// together. Differences are five-point ones; their steps follow from the length over which each unknown acts and from
-/// the rounding of positions, and are made smaller where a contact point would change its partner, status or mouth.
+/// Every cell, patch, point of branch functions, ghost tie and contact point is assembled by itself, and the mortar
+/// contact without the body, so that no entry mixes two kinds; then everything together. Differences are five-point
+/// ones; their steps follow from the length over which each unknown acts and from the rounding of positions, and are
+/// made smaller where a contact point would change its partner, status or mouth, or a material point its branch.
 /// What the two central differences within the five points disagree by tells truncation and rounding from a wrong
 /// tangent. A piece that no step keeps off a kink, or for which they disagree by more than a quarter of the `tolerance`
 /// at every step, is not judged but listed.
