@@ -49,7 +49,7 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   options.limit = is_value ? q.exact : std::optional(0.0);
   if (h.size() < 2) {
     out.fit.remark = "too few meshes";
-    out.fit.limit = options.limit.value_or(kNotKnown);
+    if (options.reference_h == 0.0) out.fit.limit = options.limit.value_or(kNotKnown);
   } else {
     out.fit = fit_limit(h, value, options);
   }

@@ -20,6 +20,9 @@ std::string title_of(const scene::Study& study, const Series& s) {
   return study.quantities[s.quantity].name + (s.variant.empty() ? "" : ", " + s.variant);
 }
 
+// Distances from the finest mesh are not errors.
+bool shows_errors(const Series& s) { return s.has_errors && s.reference_h == 0.0; }
+
 bool has_line(const Series& s) { return s.has_errors && s.fit.determined && s.fit.window > 1; }
 
 // What the results of a series are, over h or over seconds: marks, joined where no fitted line is drawn.
@@ -89,7 +92,7 @@ plot::Figure figure_of(const scene::Study& study, const StudyResult& result, Ove
   plot::Figure f;
   f.title = study.title;
   f.x_label = cost ? "seconds" : study.size_label;
-  const bool any = std::ranges::any_of(result.series, &Series::has_errors);
+  const bool any = std::ranges::any_of(result.series, shows_errors);
   f.y_label = any ? "relative error" : "relative difference from the finest mesh";
   f.scale = plot::Scale::LogLog;
   for (std::size_t k = 0; k < result.series.size(); ++k) {
@@ -100,7 +103,7 @@ plot::Figure figure_of(const scene::Study& study, const StudyResult& result, Ove
       f.curves.push_back(std::move(c));
     };
     plot::Curve marks = marks_of(study, result, s, over);
-    if (any && !s.has_errors) marks.title += ", difference from the finest mesh";
+    if (any && !shows_errors(s)) marks.title += ", from finest";
     if (!cost && has_line(s)) marks.title += fmt::format(", order {:.2f}", s.fit.order);
     add(std::move(marks));
     if (!cost && has_line(s)) add(line_of(result, s));

@@ -70,7 +70,7 @@ std::string base_line(const Figure& f) {
 // Room for the legend below the plot: a row takes as many titles as fit, and gnuplot leaves out what does not fit at
 // all.
 void reserve_couplings(const Figure& f, Drawing& d) {
-  constexpr int kPlot = 400, kLargePlot = 560, kMany = 8, kRow = 17, kLetter = 8, kSample = 50;
+  constexpr int kPlot = 400, kLargePlot = 560, kMany = 8, kRow = 17, kLetter = 8, kSample = 120;
   std::size_t longest = 0, titles = 0;
   for (const auto& c : f.curves) {
     longest = std::max(longest, c.title.size());

@@ -53,6 +53,23 @@ TEST(Figure, AValueThatCannotBeDrawnPartsTheLine) {
   EXPECT_NE(drawing_of(logarithmic, "f").script.find("$curve1 << EOD\n1 5\nEOD"), std::string::npos);
 }
 
+TEST(Figure, TwentyCurvesHaveTheirTitlesWhateverTheirLength) {
+  for (const std::size_t length : {3, 20, 60}) {
+    Figure f;
+    for (int k = 0; k < 20; ++k) {
+      Curve& c = f.curves.emplace_back();
+      c.title = std::string(length, 'x');
+      c.title += std::to_string(k);
+      c.x = c.y = {1, 2};
+      c.dash = k / 7;
+    }
+    const std::string folder = fresh("titles");
+    ASSERT_EQ(draw({drawing_of(f, "f")}, folder, "a test"), std::nullopt);
+    const std::string svg = read_bytes(folder + "/f.svg");
+    for (const auto& c : f.curves) EXPECT_NE(svg.find(c.title), std::string::npos) << length << ": " << c.title;
+  }
+}
+
 TEST(Figure, NotesStandWhereTheyAreSaid) {
   Figure f = example();
   f.notes = {{0.5, 2.0, "it's 1"}};
