@@ -103,7 +103,7 @@ ObservedRate observe(const std::vector<Iteration>& iterations) {
 Finding find(const ObservedRate& rate, const RateRequirement& required) {
   if (rate.order && *rate.order >= required.order) return Finding::Order;
   if (rate.least_ratio && *rate.least_ratio <= kLinear) return Finding::Linear;
-  if (is_bounded(rate)) return Finding::Constant;
+  if (required.order <= 2.0 && is_bounded(rate)) return Finding::Constant;
   if (rate.corrections >= 3 && rate.order) return Finding::Missed;
   if (rate.starts_at_rounding) return Finding::AtRounding;
   return rate.at_unit_scale && *rate.at_unit_scale >= required.order ? Finding::UnitScale : Finding::Unknown;
