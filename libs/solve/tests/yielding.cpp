@@ -244,12 +244,14 @@ TEST(Viscosity, DelaysFlowAndDissipates) {
   }
 }
 
-// A body that yields in tension goes from elastic to the cone and on to its apex.
+// In long increments cells begin to flow, and stop, in the midst of the iteration.
 TEST(YieldingIteration, CountsSwitchesOfFlowAndNamesPointsThatFlow) {
   for (const assembly::Material& material : {assembly::Material(constitutive::FinitePlastic{kCone}),
                                              assembly::Material(constitutive::SmallPlastic{kCone})}) {
     const assembly::Model model = block_of(material);
-    LoadStepper stepper(model, {});
+    StepControls controls;
+    controls.steps = 4;
+    LoadStepper stepper(model, controls);
     int switches = 0, at_flow = 0;
     while (stepper.state().load < 0.7) {
       const auto outcome = stepper.advance();
@@ -260,7 +262,7 @@ TEST(YieldingIteration, CountsSwitchesOfFlowAndNamesPointsThatFlow) {
         EXPECT_TRUE(it.flow_changes == 0 || it.switches());
       }
     }
-    EXPECT_GT(switches, 10);
+    EXPECT_GT(switches, 3);
     EXPECT_GT(at_flow, 3);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "cleft/support/files.hpp"
@@ -67,6 +68,12 @@ void observe_steps(const solve::SettledCorrections& settled, ObservedRate& out) 
   }
 }
 
+// Far above rounding, where corrections that fall at all fall faster and faster.
+bool stalls(std::span<const Iteration> its) {
+  while (!its.empty() && near_rounding(its.back())) its = its.first(its.size() - 1);
+  return its.size() >= kStalls && kLeastGain * its.back().gradient >= its[its.size() - 2].gradient;
+}
+
 bool is_bounded(const ObservedRate& rate) {
   if (!rate.constants || !(rate.ratios->back() <= kFall * rate.ratios->front())) return false;
   return rate.constants->back() <= std::max(kUnitConstant, kGrowth * rate.constants->front());
@@ -85,7 +92,7 @@ ObservedRate observe(const std::vector<Iteration>& iterations) {
   if (clear == 0) return out;
   observe_steps(settled, out);
   if (clear >= 3) out.order = order_of(its[clear - 3], its[clear - 2], its[clear - 1]);
-  if (clear >= kStalls && !out.order && !near_rounding(its[clear - 1])) out.order = 1.0;
+  if (!out.order && stalls(its.first(clear))) out.order = 1.0;
   if (clear < 2 || !next || its[clear - 1].kept) return out;
   const auto bound = order_of(its[clear - 2], its[clear - 1], *next);
   out.is_bound = clear < 3 && bound;
@@ -96,7 +103,7 @@ ObservedRate observe(const std::vector<Iteration>& iterations) {
 Finding find(const ObservedRate& rate, const RateRequirement& required) {
   if (rate.order && *rate.order >= required.order) return Finding::Order;
   if (rate.least_ratio && *rate.least_ratio <= kLinear) return Finding::Linear;
-  if (is_bounded(rate)) return Finding::Constant;
+  if (required.order <= 2.0 && is_bounded(rate)) return Finding::Constant;
   if (rate.corrections >= 3 && rate.order) return Finding::Missed;
   if (rate.starts_at_rounding) return Finding::AtRounding;
   return rate.at_unit_scale && *rate.at_unit_scale >= required.order ? Finding::UnitScale : Finding::Unknown;

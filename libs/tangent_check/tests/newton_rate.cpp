@@ -30,8 +30,8 @@ Finding finding(const std::vector<double>& gradients, double left = 1e-14) {
 
 TEST(Finding, IsTheOrderWhereThreeCorrectionsShowIt) {
   EXPECT_EQ(finding({1e-1, 1e-2, 1e-4, 1e-8}), Finding::Order);
-  EXPECT_EQ(finding({1e-1, 1e-2, 1e-3, 1e-4, 1e-5}), Finding::Missed);
-  EXPECT_NEAR(*observe(iterations({1e-1, 1e-2, 1e-3, 1e-4, 1e-5})).order, 1.0, 1e-12);
+  EXPECT_EQ(finding({1e-1, 1e-2, 1e-3, 1e-4, 1e-5}, 1e-6), Finding::Missed);
+  EXPECT_NEAR(*observe(iterations({1e-1, 1e-2, 1e-3, 1e-4, 1e-5}, 1e-6)).order, 1.0, 1e-12);
 }
 
 // As in a yielding block, whose error sits elsewhere after the first correction: 1.34 by the gradients.
@@ -49,9 +49,9 @@ TEST(Finding, TakesTheBestOfCorrectionResidualAndEnergy) {
 // Three numbers give 1.67 where g+/g^2 is 1 and then 10, which a linear iteration would have let grow to 1000.
 TEST(Finding, IsTheConstantWhereItIsBounded) {
   EXPECT_EQ(finding({1e-3, 1e-6, 1e-11}, 1e-12), Finding::Constant);
-  EXPECT_EQ(finding({1e-5, 2e-7, 8e-10}, 1e-12), Finding::Constant) << "2000 and 20000";
+  EXPECT_EQ(finding({1e-5, 2e-7, 3e-10}, 1e-12), Finding::Constant) << "2000 and 7500";
   EXPECT_EQ(finding({1e-3, 1e-6, 1e-9}, 1e-12), Finding::Missed) << "1 and 1000";
-  EXPECT_EQ(finding({1e-1, 3e-2, 9e-3, 2.7e-3}, 1e-4), Finding::Missed) << "below 40, but the ratio stays";
+  EXPECT_EQ(finding({1e-1, 3e-2, 9e-3, 2.7e-3}, 8e-4), Finding::Missed) << "below 40, but the ratio stays";
 }
 
 // g+ = C g^2 + q g with the relative error q of the tangent, once three corrections lie where q is more than C g.
@@ -66,14 +66,14 @@ TEST(Finding, MissesWhateverErrorOfTheTangentThreeCorrectionsShow) {
         EXPECT_EQ(finding(g), Finding::Missed) << "q " << q << " C " << C << " start " << start;
         ++cases;
       }
-  EXPECT_GT(cases, 35);
+  EXPECT_GT(cases, 30);
 }
 
 TEST(Finding, IsLinearWhereOneStepLeavesNothing) {
   EXPECT_EQ(finding({1e-2, 1e-16}), Finding::Linear);
   EXPECT_EQ(finding({1e-2}), Finding::Linear) << "by the residual";
   EXPECT_EQ(finding({1e-2, 1e-7}, 1e-9), Finding::UnitScale);
-  EXPECT_EQ(finding({1e-2, 1e-4, 1e-7}, 1e-9), Finding::Missed);
+  EXPECT_EQ(finding({1e-2, 1e-4, 2e-6}, 4e-8), Finding::Missed);
 }
 
 TEST(Finding, IsThatNothingShowsWhereTheIterationBeginsAtRounding) {
@@ -105,7 +105,7 @@ IncrementRate increment(const std::vector<double>& gradients, double left = 1e-1
   return out;
 }
 IncrementRate quadratic() { return increment({1e-1, 1e-2, 1e-4, 1e-8}); }
-IncrementRate linear() { return increment({1e-2, 1e-4, 1e-6, 1e-8, 1e-10}); }
+IncrementRate linear() { return increment({1e-2, 1e-4, 1e-6, 1e-8, 1e-10}, 1e-12); }
 IncrementRate nearly() { return increment({1e-2, 1e-4, 1.6e-7}, 1e-9); }  // order 1.4
 IncrementRate below() { return increment({1e-4, 1e-5, 2e-7}, 1e-8); }     // order 1.7, the constant grows twofold
 IncrementRate failed(IncrementRate of) {
