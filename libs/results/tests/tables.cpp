@@ -48,13 +48,12 @@ TEST(HistoryColumns, AreThoseOfTheContents) {
 }
 
 TEST(NewtonTable, TellsAnIteration) {
-  growth::Step step;
-  step.number = 3;
-  step.load = 0.25;
-  const solve::Iteration iteration{.residual = 1e-3, .kept = true};
+  const NewtonAttempt attempt{3, 0.25, 2, true};
+  const solve::Iteration iteration{
+      .residual = 1e-3, .flow_changes = 4, .kept = true, .largest = {solve::LargestResidual::At::Flow, {0.5, 1.0}}};
   std::string line;
-  append_line(newton_table(), {step, 2, iteration}, line);
-  EXPECT_EQ(line, "3,0.25,2,0.001,0,0,0,0,0,0,0,0,0,1\n");
+  append_line(newton_table(), {attempt, 5, iteration}, line);
+  EXPECT_EQ(line, "3,0.25,5,0.001,0,0,0,0,0,0,0,0,0,1,4,plastic point,0.5,1,2,1\n");
 }
 
 TEST(GrowthTable, NamesCrackAndTip) {
