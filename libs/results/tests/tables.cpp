@@ -53,7 +53,7 @@ TEST(NewtonTable, TellsAnIteration) {
       .residual = 1e-3, .flow_changes = 4, .kept = true, .largest = {solve::LargestResidual::At::Flow, {0.5, 1.0}}};
   std::string line;
   append_line(newton_table(), {attempt, 5, iteration}, line);
-  EXPECT_EQ(line, "3,0.25,5,0.001,0,0,0,0,0,0,0,0,0,1,4,plastic point,0.5,1,2,1\n");
+  EXPECT_EQ(line, "3,0.25,5,0.001,0,0,0,0,0,0,0,0,0,1,4,flow,0.5,1,2,1\n");
 }
 
 TEST(GrowthTable, NamesCrackAndTip) {
