@@ -273,7 +273,8 @@ TEST(Patches, AreOnTheApexWhereTheirStressIsAPressure) {
   VecX u(m.unknowns.components());
   for (Index k = 0; k < m.unknowns.count; ++k) {
     const Vec2& X = m.mesh.nodes[m.unknowns.node_of[k]];
-    u.segment<2>(2 * k) = 1e-2 * Vec2(X.x() + 0.6 * std::sin(9.0 * X.y()), X.y() + 0.6 * std::sin(11.0 * X.x()));
+    u.segment<2>(2 * k) = 1e-2 * Vec2(X.x() + 0.6 * std::sin(9.0 * X.y() + 5.0 * X.x()),
+                                      X.y() + 0.6 * std::sin(11.0 * X.x() + 4.0 * X.y()));
   }
   assembly::Assembler assembler(m);
   ASSERT_FALSE(assembler.assemble(u, state_at_rest(m).history));
