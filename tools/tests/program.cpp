@@ -132,8 +132,20 @@ TEST(Program, NothingIsLeftWhereThereIsNothingToResume) {
   const std::string out = fresh("nothing_to_resume");
   const Outcome o = call("run " + kScenes + "block.toml --resume -o " + out);
   EXPECT_EQ(o.code, 2);
-  EXPECT_NE(o.text.find(out + "/checkpoint: cannot be read"), std::string::npos) << o.text;
+  EXPECT_NE(o.text.find(out + "/checkpoint: there is no run to go on with; run without --resume"), std::string::npos)
+      << o.text;
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(Program, ARunThatIsOverStaysAsItIs) {
+  const std::string out = fresh("resume_over");
+  const std::string run = "run " + kScenes + "homogeneous.toml -o " + out;
+  ASSERT_EQ(call(run).code, 0);
+  const std::string before = read_bytes(out + "/run.json");
+  const Outcome o = call(run + " --resume");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_NE(flat(o.text).find("nothing is left to solve"), std::string::npos) << o.text;
+  EXPECT_EQ(read_bytes(out + "/run.json"), before);
 }
 
 TEST(Program, AFullDiskEndsTheRunWithAllThatFittedAndTheRestCanBeResumed) {

@@ -79,9 +79,10 @@ TEST_P(SoundScene, IsNoFalseAlarm) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SoundScene,
-    testing::Values(Sound{"block_small_scale_yield", {"mesh.cells=[16,32]"}}, Sound{"closed_crack", {"mesh.cells=[20,20]"}},
-                    Sound{"drag", {"mesh.cells=[20,5]"}}, Sound{"footing", {"mesh.cells=[16,8]"}}, Sound{"homogeneous"},
-                    Sound{"manufactured"}, Sound{"manufactured_cut"}, Sound{"plain", {"mesh.cells=[8,16]"}},
+    testing::Values(Sound{"block_small_scale_yield", {"mesh.cells=[16,32]"}},
+                    Sound{"closed_crack", {"mesh.cells=[20,20]"}}, Sound{"drag", {"mesh.cells=[20,5]"}},
+                    Sound{"footing", {"mesh.cells=[16,8]"}}, Sound{"homogeneous"}, Sound{"manufactured"},
+                    Sound{"manufactured_cut"}, Sound{"plain", {"mesh.cells=[8,16]"}},
                     Sound{"plate_crack", {"mesh.cells=[26,38]"}}, Sound{"punch", {"mesh.cells=[16,8]"}},
                     Sound{"ring", {"mesh.size=0.2"}}, Sound{"rotation"}, Sound{"slanted_crack", {"mesh.cells=[28,28]"}},
                     Sound{"slope", {"mesh.size=1.5"}}, Sound{"squeezed"},

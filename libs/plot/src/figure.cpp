@@ -69,7 +69,7 @@ std::string base_line(const Figure& f) {
 
 // Room for the legend below the plot: a row takes as many titles as fit, and gnuplot leaves out what does not fit at
 // all.
-void reserve_couplings(const Figure& f, Drawing& d) {
+void reserve_legend(const Figure& f, Drawing& d) {
   constexpr int kPlot = 400, kLargePlot = 560, kMany = 8, kRow = 17, kLetter = 8, kSample = 120;
   std::size_t longest = 0, titles = 0;
   for (const auto& c : f.curves) {
@@ -140,7 +140,7 @@ Drawing drawing_of(const Figure& f, const std::string& name) {
       plot += fmt::format("{}$curve{} {}", plot.empty() ? "plot " : ", \\\n  ", k, style_of(f.curves[k], k));
   }
   Drawing d{name, s + (plot.empty() ? kNothing : plot) + "\n"};
-  reserve_couplings(f, d);
+  reserve_legend(f, d);
   return d;
 }
 

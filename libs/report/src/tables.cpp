@@ -151,7 +151,7 @@ std::string summary_table(const std::vector<Run>& runs) {
   from_info("worst residual left (relative)", "/worst_residual");
   add(rows, runs, "order of Newton's iteration", [](const Run& run) {
     const std::string order = text_at(run.info, "/newton_order");
-    return order == "0" ? std::string() : order;  // none could be told
+    return order == "null" ? std::string() : order;  // none could be told
   });
   from_info("largest overlap, element sizes", "/overlap");
   for (const auto& column : reactions_of(runs))

@@ -71,6 +71,7 @@ class Run {
   std::optional<results::Results> results_;
   results::Counts counts_;  // of what the last checkpoint holds
   double first_load_ = 0.0;
+  bool is_over_ = false;  // the run that is resumed has ended
   Progress progress_;
   RunResult result_;
 };
@@ -102,7 +103,7 @@ std::optional<results::Checkpoint> Run::take_folder() {
   solved_json_ = scene::solved_json(scene_);
   if (const auto checkpoint = RunFolder::checkpoint_file(options_.directory);
       options_.resume && !std::filesystem::exists(checkpoint))
-    (void)read_bytes(checkpoint);  // says why, and makes no folder
+    throw std::runtime_error(checkpoint + ": there is no run to go on with; run without --resume");
   folder_.emplace(options_.directory);
   if (options_.resume) return folder_->checkpoint_of(solved_json_);
   if (const auto told = folder_->remove_results(); !told.empty()) say(told);
@@ -110,6 +111,8 @@ std::optional<results::Checkpoint> Run::take_folder() {
 }
 
 void Run::advance_to_the_end() {
+  is_over_ = options_.resume && (evolution_->done() || is_far_enough());
+  if (is_over_) say(options_.directory + ": nothing is left to solve; its files stay as they are");
   while (!evolution_->done() && !is_far_enough() && advance()) {
   }
 }
@@ -225,6 +228,7 @@ RunResult Run::close() {
 
 void Run::sum_up() {
   static_cast<results::Counts&>(result_) = counts_;
+  result_.last_load = options_.last_load;
   result_.newton_order = counts_.median_order();
   result_.advances = advances_of(evolution_->record());
   const auto& surfaces = evolution_->model().surfaces;
@@ -253,6 +257,7 @@ void Run::sum_up_seconds() {
 }
 
 void Run::write_summary() {
+  if (is_over_ && std::filesystem::exists(folder_->file("run.json"))) return;  // it knows the seconds of the phases
   try {
     write_atomically(folder_->file("run.json"),
                      summary(scene_, *evolution_, result_, seconds_.before + result_.seconds, notes_));

@@ -115,7 +115,7 @@ void add_outcome(Json& j, const problem::Specification& specification, const gro
   if (auto penalties = penalties_of(evolution.model()); !penalties.is_null()) j["penalties"] = std::move(penalties);
   j["overlap"] = result.overlap;
   j["worst_residual"] = result.worst_residual;
-  j["newton_order"] = result.newton_order;
+  j["newton_order"] = result.newton_order > 0.0 ? Json(result.newton_order) : Json();
   if (specification.exact && result.end == RunResult::End::Done)
     j["error"] = error_of(*specification.exact, evolution.stepper());
   for (const auto& point : result.critical)
@@ -133,6 +133,7 @@ std::string summary(const problem::Specification& specification, const growth::E
   j["end"] = name_of(result.end);
   if (result.end == RunResult::End::Failed) j["failure"] = result.reason;
   j["load"] = result.load;
+  j["last_load"] = result.last_load;
   j["mesh"] = mesh_of(evolution.model());
   j["unknowns"] = unknowns_of(evolution.stepper());
   j["factorisation"] = factorisation_of(evolution.model());

@@ -31,7 +31,7 @@ struct RunOptions {
   std::string directory;
   bool resume = false;
   int threads = 1;
-  double last_load = 1.0;  ///< the run ends with the first increment that reaches it
+  double last_load = 1.0;                          ///< the run ends with the first increment that reaches it
   std::function<void(const std::string&)> remark;  ///< hears the remarks on the scene, and what grows
   std::function<void(const Progress&)> observer;
   std::function<void(const solve::Step&)> step;  ///< hears each step that is recorded
@@ -44,6 +44,7 @@ struct RunResult : results::Counts {
   std::string reason, advice;  ///< and in words (failure_words.hpp)
   std::string unwritten;       ///< with End::NotWritten: path and reason
   double load = 0.0;
+  double last_load = 1.0;                        ///< that was asked for (RunOptions)
   long advances = 0;                             ///< of all tips
   std::vector<results::CriticalPoint> critical;  ///< in order, of runs with loading.control = "path"
   double newton_order = 0.0;                     ///< median over the increments that allow to tell; 0: none
