@@ -44,11 +44,12 @@ struct TangentKink {
 };
 
 /// |R(u + e v) - R(u) - e K v| as e falls, for the residual R, the assembled tangent K and one direction v that moves
-/// every unknown. An exact tangent leaves a remainder of second order in e. Rows of what changes its branch in between
-/// do not count.
+/// every unknown. An exact tangent leaves a remainder of second order in e. A row is judged where it is on one branch
+/// and two sizes agree on its part of first order; each row by the sizes that agree best.
 struct TaylorTest {
-  int states = 0;                                          ///< that could be judged
-  int unclear = 0;                                         ///< and that could not: kinks or rounding at every e
+  int states = 0;      ///< that could be judged
+  int unclear = 0;     ///< and that could not: kinks or rounding at every e in more than half of the rows
+  double share = 1.0;  ///< of the rows that were judged, the least of the states that could be
   double order = std::numeric_limits<double>::infinity();  ///< the lowest; of remainders that are more than rounding
   double first_order = 0.0;  ///< the largest part of first order in e, relative to |e K v|
   double load = 0.0;         ///< where that is
