@@ -33,21 +33,27 @@ void print_blocks(const TangentReport& report) {
   }
 }
 
+std::string place_of(const assembly::Model& model, const tangent_check::TangentKink& kink) {
+  if (kink.cell == kNone && kink.point == kNone) return "the whole body";
+  return tangent_check::describe_piece(model, kink.cell, kink.point);
+}
+
 // Where things were found, in words: the model that their numbers belong to is gone once cracks have grown.
 struct Places {
   std::map<std::string, std::string> worst;  // by block
   std::vector<std::string> kinks;
-  void add(const assembly::Model& model, double load, const TangentReport& report) {
+  int states = 0;  // that have been seen
+  void add(const assembly::Model& model, const TangentReport& report) {
     for (const auto& [name, block] : report.blocks) {
       const auto& w = block.worst;
-      if (w.error() == 0.0 || w.load != load) continue;
+      if (w.error() == 0.0 || w.state <= states) continue;
       worst[name] = fmt::format(
           "{}\n    {:.10g} assembled, {:.10g} by differences\n    force {}\n    by displacement {}",
           tangent_check::describe_piece(model, w.cell, w.point), w.exact, w.difference,
           tangent_check::describe_component(model, w.row), tangent_check::describe_component(model, w.column));
     }
-    for (std::size_t k = kinks.size(); k < report.kinks.size(); ++k)
-      kinks.push_back(tangent_check::describe_piece(model, report.kinks[k].cell, report.kinks[k].point));
+    for (std::size_t k = kinks.size(); k < report.kinks.size(); ++k) kinks.push_back(place_of(model, report.kinks[k]));
+    states = report.states;
   }
 };
 
@@ -73,6 +79,7 @@ void print_taylor(const tangent_check::TaylorTest& taylor) {
   fmt::print("\nremainder of the residual, |R(u + e v) - R(u) - e K v|: {} states judged, {} not\n", taylor.states,
              taylor.unclear);
   if (taylor.states == 0) return;
+  fmt::print("  least share of rows judged {:.0f} %\n", std::floor(100.0 * taylor.share));
   fmt::print("  lowest order in e {}, largest part of first order {:.1e} at load {:.4g}, force {}\n",
              std::isfinite(taylor.order) ? fmt::format("{:.2f}", taylor.order) : "unknown: all remainders are rounding",
              taylor.first_order, taylor.load, taylor.force);
@@ -83,7 +90,8 @@ void print_not_visited(const TangentReport& report) {
   if (!branches.empty()) fmt::print("\nbranches of this scene that no state came to: {}\n", fmt::join(branches, ", "));
 }
 
-int verdict(const TangentReport& report, const Options& options) {
+// A wrong tangent is a reason to fail.
+int verdict(const TangentReport& report, bool failed, const Options& options) {
   const double tolerance = options.controls.tolerance, worst = std::fmax(report.worst(), report.taylor.first_order);
   if (!(worst < tolerance)) {
     fmt::print("\ndoes not hold: worst {:.1e}, NOT below {:.1e}\n", worst, tolerance);
@@ -92,6 +100,7 @@ int verdict(const TangentReport& report, const Options& options) {
   auto gaps = report.gaps();
   for (const auto& words : options.required)
     if (!report.has_judged(words)) gaps.push_back(fmt::format("required, but no state came to it: {}", words));
+  if (failed) gaps.emplace_back("the run failed");
   if (!gaps.empty()) {
     fmt::print("\ncannot tell: too little could be judged to {:.1e}\n  {}\n", tolerance, fmt::join(gaps, "\n  "));
     return kCannotTell;
@@ -100,14 +109,26 @@ int verdict(const TangentReport& report, const Options& options) {
   return kDone;
 }
 
+// Cracks that grow may cut the body into branches that it does not have yet.
+void check_required(const Options& options, const problem::Specification& scene, const assembly::Model& model) {
+  if (problem::grows(scene)) return;
+  const auto possible = tangent_check::possible_branches(model);
+  for (const auto& words : options.required)
+    if (!tangent_check::names_a_branch(possible, words))
+      throw InputError(
+          {options.scene}, "--require",
+          fmt::format("no state of this scene comes to {}; its branches are {}", words, fmt::join(possible, ", ")));
+}
+
 int tangent(const Options& options) {
   const auto scene = scene::read_scene(options.scene, options.overrides);
   auto body = growth::Evolution(scene, problem::build_model(scene));
+  check_required(options, scene, body.model());
   Places places;
   TangentReport report;
   const auto failure = tangent_check::survey(
       body, options.controls, report,
-      [&](const tangent_check::IntermediateState& at, const TangentReport&) { places.add(at.model, at.load, report); });
+      [&](const tangent_check::IntermediateState& at, const TangentReport&) { places.add(at.model, report); });
   fmt::print("{} states between converged ones; differences over the largest entry of the same piece in the row\n\n",
              report.states);
   print_blocks(report);
@@ -118,15 +139,14 @@ int tangent(const Options& options) {
   if (failure)
     fmt::print(stderr, "the run failed: {}; try {}\n", simulation::describe(*failure, body.model()),
                simulation::advice(*failure, body.model()));
-  const int held = verdict(report, options);
-  // a wrong tangent is a reason to fail
-  return failure && held != kCheckFailed ? kFailed : held;
+  return verdict(report, failure.has_value(), options);
 }
 
 std::string is_branch(const std::string& words) {
-  if (tangent_check::names_a_branch(words)) return {};
+  const auto branches = tangent_check::all_branches();
+  if (tangent_check::names_a_branch(branches, words)) return {};
   return fmt::format("{} is on no branch; the words of branches are {}", words,
-                     fmt::join(tangent_check::words_of_branches(), ", "));
+                     fmt::join(tangent_check::words_of(branches), ", "));
 }
 
 }  // namespace
@@ -150,7 +170,7 @@ void add_tangent(CLI::App& app, int& result) {
       ->capture_default_str();
   verb->add_option("--require", options->required,
                    "branches without which nothing is told (exit code 4), by words of their names: apex,stick; "
-                   "'tip cone' asks for both words in one name")
+                   "'tip cone' asks for both words in one name; refused where the scene has none")
       ->delimiter(',')
       ->type_name("BRANCH")
       ->allow_extra_args(false)

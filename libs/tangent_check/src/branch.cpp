@@ -3,6 +3,19 @@
 #include <algorithm>
 
 namespace cleft::tangent_check {
+namespace {
+
+// Whether what the other face bears opposite a node depends on something else: on other nodes or ends of faces, or on
+// none where the other face ends before it.
+bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
+  const auto &f = a.facing()[node], &g = b.facing()[node];
+  if (f.mortar_pair == kNone || g.mortar_pair == kNone) return f.mortar_pair != g.mortar_pair;
+  const auto &o = a.mortar_pairs()[f.mortar_pair], &p = b.mortar_pairs()[g.mortar_pair];
+  return f.interval_part != g.interval_part || o.interval_part != p.interval_part || o.partner != p.partner ||
+         f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
+}
+
+}  // namespace
 
 using contact::presses, contact::Status;
 
@@ -33,20 +46,6 @@ const char* block_of(const contact::NodeState& node) {
   if (node.status == Status::Open) return "multiplier open";
   return node.status == Status::Stick ? "multiplier stick" : "multiplier slip";
 }
-
-namespace {
-
-// Whether what the other face bears opposite a node depends on something else: on other nodes or ends of faces, or on
-// none where the other face ends before it.
-bool faces_another_place(const contact::Multipliers& a, const contact::Multipliers& b, std::size_t node) {
-  const auto &f = a.facing()[node], &g = b.facing()[node];
-  if (f.mortar_pair == kNone || g.mortar_pair == kNone) return f.mortar_pair != g.mortar_pair;
-  const auto &o = a.mortar_pairs()[f.mortar_pair], &p = b.mortar_pairs()[g.mortar_pair];
-  return f.interval_part != g.interval_part || o.interval_part != p.interval_part || o.partner != p.partner ||
-         f.place.by.isZero(0.0) != g.place.by.isZero(0.0);
-}
-
-}  // namespace
 
 void add_kinks(const assembly::Model& model, const contact::Multipliers& a, const contact::Multipliers& b,
                std::vector<Index>& out) {

@@ -59,16 +59,9 @@ std::optional<assembly::Failure> visit_increments(growth::Evolution& body, const
 
 bool EvenlyOverLoad::takes(const IntermediateState& state) {
   if (state.of != Of::Increment) return true;
-  if (done() || state.after < next()) return false;
+  if (taken_ >= states_ || state.after < next()) return false;
   while (next() <= state.after) ++taken_;
   return true;
-}
-
-std::optional<assembly::Failure> visit_intermediate_states(growth::Evolution& body, int states,
-                                                           const StateVisitor& visit) {
-  EvenlyOverLoad chosen(states);
-  return visit_increments(
-      body, [&](const IntermediateState& state) { return (!chosen.takes(state) || visit(state)) && !chosen.done(); });
 }
 
 }  // namespace cleft::tangent_check

@@ -38,13 +38,11 @@ class Survey {
     return !due || look_at_apex(state);
   }
 
-  const std::optional<assembly::Failure>& no_forces() const { return no_forces_; }
-
  private:
   bool look_at(const IntermediateState& state, bool due) {
     assembly::Assembler assembler(state.model);
     const CheckedState at{state.model, state.before.history, state.displacement, state.load};
-    if ((no_forces_ = assembler.assemble(at.u, at.history))) return false;
+    if (assembler.assemble(at.u, at.history)) return list_without_forces(state);
     const bool new_branch = has_new_branch(at, assembler);  // before the assembler goes elsewhere
     const bool holds = test_remainder(at, controls_.tolerance, assembler, report_.taylor);
     if (due || new_branch || !holds) return compare(state) && holds;
@@ -80,10 +78,18 @@ class Survey {
   }
 
   bool compare(const IntermediateState& state) {
-    no_forces_ =
-        check_tangent(state.model, state.before.history, state.displacement, state.load, controls_.tolerance, report_);
+    if (check_tangent(state.model, state.before.history, state.displacement, state.load, controls_.tolerance, report_))
+      return list_without_forces(state);
     observer_(state, report_);
-    return !no_forces_ && report_.worst() < controls_.tolerance;
+    return report_.worst() < controls_.tolerance;
+  }
+
+  // The run is none the worse for it: it does not come to states between those that converged.
+  bool list_without_forces(const IntermediateState& state) {
+    report_.kinks.push_back({"this state has no forces", state.load});
+    ++report_.taylor.unclear;
+    observer_(state, report_);
+    return true;
   }
 
   const SurveyControls& controls_;
@@ -91,7 +97,6 @@ class Survey {
   const SurveyObserver& observer_;
   EvenlyOverLoad even_;
   std::map<std::string, int> tries_;
-  std::optional<assembly::Failure> no_forces_;
 };
 
 }  // namespace
@@ -99,8 +104,7 @@ class Survey {
 std::optional<assembly::Failure> survey(growth::Evolution& body, const SurveyControls& controls, TangentReport& report,
                                         const SurveyObserver& observer) {
   Survey of(controls, report, observer);
-  const auto failure = visit_increments(body, [&](const IntermediateState& state) { return of.visit(state); });
-  return of.no_forces() ? of.no_forces() : failure;
+  return visit_increments(body, [&](const IntermediateState& state) { return of.visit(state); });
 }
 
 }  // namespace cleft::tangent_check

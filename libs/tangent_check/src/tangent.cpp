@@ -61,6 +61,9 @@ std::vector<std::string> TangentReport::not_visited() const {
 
 std::vector<std::string> TangentReport::gaps() const {
   std::vector<std::string> out;
+  if (states == 0) out.push_back("no state was compared");
+  if (taylor.states == 0 && taylor.unclear > 0)
+    out.push_back(fmt::format("remainder of the residual: none of {} states", taylor.unclear));
   long points = 0;
   for (const auto& [name, block] : blocks) {
     if (block.entries < block.left_out)
@@ -87,6 +90,8 @@ std::optional<assembly::Failure> check_tangent(const assembly::Model& model, con
   check_global(at, steps, lengths.stiffness, tolerance, assembler, report);
   report.possible.merge(possible_branches(model));
   ++report.states;
+  for (auto& [name, block] : report.blocks)
+    if (block.entries > 0 && block.worst.state == 0) block.worst.state = report.states;  // new
   return std::nullopt;
 }
 

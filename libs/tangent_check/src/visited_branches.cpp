@@ -34,6 +34,16 @@ bool has_mouths(const contact::Surfaces& surfaces) {
   });
 }
 
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+bool has_words(const std::string& name, const std::vector<std::string>& words) {
+  const auto own = split(name);
+  return std::ranges::all_of(words, [&](const auto& word) { return std::ranges::find(own, word) != own.end(); });
+}
+
 }  // namespace
 
 BranchNames possible_branches(const assembly::Model& model) {
@@ -64,18 +74,6 @@ BranchNames branches_at(const CheckedState& at, const assembly::Assembler& assem
   return out;
 }
 
-namespace {
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream in(text);
-  return {std::istream_iterator<std::string>(in), {}};
-}
-
-bool has_words(const std::string& name, const std::vector<std::string>& words) {
-  const auto own = words_of(name);
-  return std::ranges::all_of(words, [&](const auto& word) { return std::ranges::find(own, word) != own.end(); });
-}
-
 BranchNames all_branches() {
   BranchNames out{kAtMouth, "patch mixed", block_of(Kind::Tie, {})};
   for (const Kind kind : {Kind::Bulk, Kind::Patch, Kind::Tip})
@@ -85,25 +83,22 @@ BranchNames all_branches() {
   return out;
 }
 
-}  // namespace
-
-std::vector<std::string> words_of_branches() {
+std::vector<std::string> words_of(const BranchNames& names) {
   BranchNames words;
-  for (const auto& name : all_branches())
-    for (const auto& word : words_of(name))
+  for (const auto& name : names)
+    for (const auto& word : split(name))
       if (word.size() > 2) words.insert(word);  // "at a mouth"
   return {words.begin(), words.end()};
 }
 
-bool names_a_branch(const std::string& words) {
-  const auto asked = words_of(words);
-  return !asked.empty() &&
-         std::ranges::any_of(all_branches(), [&](const auto& name) { return has_words(name, asked); });
+bool names_a_branch(const BranchNames& names, const std::string& words) {
+  const auto asked = split(words);
+  return !asked.empty() && std::ranges::any_of(names, [&](const auto& name) { return has_words(name, asked); });
 }
 
 bool TangentReport::has_judged(const std::string& words) const {
   return std::ranges::any_of(
-      blocks, [&](const auto& block) { return block.second.entries > 0 && has_words(block.first, words_of(words)); });
+      blocks, [&](const auto& block) { return block.second.entries > 0 && has_words(block.first, split(words)); });
 }
 
 }  // namespace cleft::tangent_check

@@ -27,7 +27,7 @@ TEST(Survey, ComesToEveryBranchThatTheSceneHas) {
   EXPECT_FALSE(block.failure);
   EXPECT_TRUE(block.report.not_visited().empty());
   EXPECT_TRUE(block.report.has_judged("stick"));
-  EXPECT_TRUE(block.report.enough());
+  EXPECT_TRUE(block.report.gaps().empty());
   EXPECT_LT(block.report.worst(), 1e-8);
   EXPECT_EQ(block.seen, block.report.states);
   EXPECT_GT(block.report.states, 3) << "the chosen ones, and those where a branch is new";
@@ -60,8 +60,9 @@ TEST(Survey, JudgesWhereTheRunFails) {
 
 TEST(BranchWords, NameBlocksByTheirWords) {
   for (const char* words : {"apex", "stick", "tip cone", "viscous", "mixed", "tie", "multiplier forces", "mouth"})
-    EXPECT_TRUE(names_a_branch(words)) << words;
-  for (const char* words : {"", "apx", "cone stick", "patch open"}) EXPECT_FALSE(names_a_branch(words)) << words;
+    EXPECT_TRUE(names_a_branch(all_branches(), words)) << words;
+  for (const char* words : {"", "apx", "cone stick", "patch open"})
+    EXPECT_FALSE(names_a_branch(all_branches(), words)) << words;
   TangentReport report;
   report.blocks["tip cone left"].entries = 4;
   report.blocks["bulk apex"].left_out = 4;

@@ -35,15 +35,10 @@ class EvenlyOverLoad {
  public:
   explicit EvenlyOverLoad(int states) : states_(states) {}
   bool takes(const IntermediateState& state);
-  bool done() const { return taken_ >= states_; }
 
  private:
   double next() const { return (taken_ + 0.5) / states_; }
   int states_, taken_ = 0;  // loads (k + 1/2) / states that are behind
 };
-
-/// Stops at the chosen states, and ends behind the last of them.
-[[nodiscard]] std::optional<assembly::Failure> visit_intermediate_states(growth::Evolution& body, int states,
-                                                                         const StateVisitor& visit);
 
 }  // namespace cleft::tangent_check

@@ -21,8 +21,8 @@ using SurveyObserver = std::function<void(const IntermediateState& last, const T
 /// sticks there, and what flowed is elastic. Where an apex that materials have is not met, chosen states are swollen
 /// until it is. Tangents are compared (check_tangent) at `states` of the states evenly over the load, where cracks have
 /// grown, where the run fails, where the remainder is of first order, and wherever one of these states stands on a
-/// branch of which nothing could be judged so far. Ends early where a tangent is wrong. Returns the failure of the run,
-/// or of a state that has no forces.
+/// branch of which nothing could be judged so far. Ends early where a tangent is wrong. States without forces are
+/// listed among the kinks. Returns the failure of the run.
 [[nodiscard]] std::optional<assembly::Failure> survey(growth::Evolution& body, const SurveyControls& controls,
                                                       TangentReport& report, const SurveyObserver& observer);
 

@@ -25,6 +25,7 @@ struct TangentEntry {
   double scale = 0.0;        ///< largest entry of the same piece in the row
   Index cell = kNone;        ///< the cell that it belongs to,
   Index point = kNone;       ///< or the contact point; neither in the assembled matrix
+  int state = 0;             ///< which of the compared states it is of, from 1; only that one's model has the numbers
   double error() const;      ///< relative to `scale`
 };
 
@@ -36,7 +37,7 @@ struct TangentBlock {
   TangentEntry worst;
 };
 
-/// A cell or contact point that differences cannot judge.
+/// A cell or contact point that differences cannot judge; neither: a whole state.
 struct TangentKink {
   std::string reason;
   double load = 0.0;
@@ -44,16 +45,20 @@ struct TangentKink {
 };
 
 /// |R(u + e v) - R(u) - e K v| as e falls, for the residual R, the assembled tangent K and one direction v that moves
-/// every unknown. An exact tangent leaves a remainder of second order in e. Rows of what changes its branch in between
-/// do not count.
+/// every unknown. An exact tangent leaves a remainder of second order in e. A row is judged where it is on one branch
+/// and two sizes agree on its part of first order; each row by the sizes that agree best.
 struct TaylorTest {
-  int states = 0;                                          ///< that could be judged
-  int unclear = 0;                                         ///< and that could not: kinks or rounding at every e
+  int states = 0;      ///< that could be judged
+  int unclear = 0;     ///< and that could not: no forces, or kinks or rounding at every e in more than half of the rows
+  double share = 1.0;  ///< of the rows that were judged, the least of the states that could be
   double order = std::numeric_limits<double>::infinity();  ///< the lowest; of remainders that are more than rounding
   double first_order = 0.0;  ///< the largest part of first order in e, relative to |e K v|
   double load = 0.0;         ///< where that is
   std::string force;         ///< and the component of the force with the most of it, in words
 };
+
+/// Names of blocks, without the side of a crack.
+using BranchNames = std::set<std::string>;
 
 struct TangentReport {
   /// By name, piece by piece: "bulk", "patch" (of f_bar) and "tip" (points of branch functions), each with the branch
@@ -62,7 +67,7 @@ struct TangentReport {
   /// "contact at a mouth". As a whole: "multiplier forces" of mortar contact and the conditions of its nodes; and
   /// "assembled".
   std::map<std::string, TangentBlock> blocks;
-  std::set<std::string> possible;  ///< branches that the scene has: names of blocks without sides
+  BranchNames possible;  ///< branches that the scene has
   std::vector<TangentKink> kinks;
   TaylorTest taylor;
   int states = 0;
@@ -73,15 +78,20 @@ struct TangentReport {
   std::vector<std::string> not_visited() const;
   /// Whether some entry was judged of a branch whose name has all these words, which blanks divide.
   bool has_judged(const std::string& words) const;
-  /// Why too little was judged to tell whether the tangent holds: blocks of whose entries less than half was judged, or
-  /// less than a quarter of the contact points that press; one reason each. Empty: enough was.
+  /// Why too little was judged to tell whether the tangent holds: no state was compared; blocks of whose entries less
+  /// than half was judged, or less than a quarter of the contact points that press; no state's remainder was clear. One
+  /// reason each. Empty: enough was.
   std::vector<std::string> gaps() const;
-  bool enough() const { return gaps().empty(); }
 };
 
-/// All words of the names of branches, and whether some name has all of these, which blanks divide.
-std::vector<std::string> words_of_branches();
-bool names_a_branch(const std::string& words);
+/// All branches that there are, and those that a body may come to, whatever happens to it: unless cracks grow, which
+/// may cut it in other ways.
+BranchNames all_branches();
+BranchNames possible_branches(const assembly::Model& model);
+
+/// All words of these names, and whether some name has all of `words`, which blanks divide.
+std::vector<std::string> words_of(const BranchNames& names);
+bool names_a_branch(const BranchNames& names, const std::string& words);
 
 /// Compares at displacements `u` (metres, all components), reached at `load` from the committed `history`. They must
 /// lie off the state in which the history was committed, where each sliding point sits between stick and slip.
