@@ -14,10 +14,13 @@ namespace cleft::convergence {
 namespace {
 
 constexpr std::size_t kLeastMeshes = 4;  // that may determine an order
-constexpr double kOrderKnownTo = 0.35;    // of the order
+constexpr double kOrderKnownTo = 0.35;   // of the order
 constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
 constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
 constexpr double kContradiction = 1.5;  // of a smaller window's half width
+// Probabilities of scatter of 1 % or more from which on an order may be luck: by the window of the answer, and by the
+// next smaller one, which tells less.
+constexpr double kMayScatter = 0.01, kSmallerMayScatter = 0.2;
 
 double farthest(const Interval& interval, double value) {
   return std::fmax(std::fabs(interval.low - value), std::fabs(interval.high - value));
@@ -55,6 +58,12 @@ std::size_t choose(const std::vector<Windowed>& windows) {
                      [&](const Windowed& smaller) { return contradicts(smaller, windows[k]); }))
       return k;
   return 0;
+}
+
+// Whether it may be scatter that looks like an order. Four meshes, the first of the windows, do not tell.
+bool may_be_luck(const std::vector<Windowed>& windows, std::size_t chosen) {
+  const auto scattered = [&](std::size_t k) { return windows[k].posterior.scattered; };
+  return scattered(chosen) >= kMayScatter || (chosen > 1 && scattered(chosen - 1) >= kSmallerMayScatter);
 }
 
 // Root mean square of what C h^p leaves.
@@ -102,6 +111,8 @@ void fit_windows(const Sequence& s, LimitFit& out) {
   out.factor = answer.factor * std::pow(s.h[s.size() - out.window], -answer.order);
   out.scatter = scatter_of(s.finest(out.window), out);
   out.remark = doubt(s, out, posterior.order);
+  if (out.remark.empty() && s.has_limit && may_be_luck(windows, chosen))
+    out.remark = "scatter of 1 % or more may look like this order";
   out.determined = out.remark.empty();
   if (!s.has_limit) return;
   const auto& larger = windows[std::min(chosen + 1, windows.size() - 1)];
@@ -145,7 +156,8 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
   out.kind = class_of(s);
   out.observed_order = observed_orders(s);
   if (out.kind == SeriesClass::TooFew)
-    out.remark = fmt::format("{} meshes show nothing of an order", s.size());
+    out.remark = s.has_limit ? fmt::format("{} meshes show nothing of an order", s.size())
+                             : "one error above rounding shows nothing of an order";
   else if (out.kind == SeriesClass::Exact)
     take_exact(s, out);
   else
