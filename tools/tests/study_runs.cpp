@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cleft/scene/json.hpp"
 #include "cleft/support/files.hpp"
 #include "fresh_study.hpp"
 #include "shell.hpp"
@@ -94,6 +95,41 @@ TEST(StudyRuns, AFailedRunIsToldAndTheOthersAreFitted) {
   EXPECT_EQ(told.code, 3);
   EXPECT_NE(flat(told.text).find("failed: " + s.file + ": 32x64"), std::string::npos) << told.text;
   EXPECT_NE(told.text.find("observed orders"), std::string::npos) << told.text;
+}
+
+TEST(StudyRuns, AFailedRunLeavesAMissAMissAndNoCheckHeld) {
+  const std::string text = "scene = \"" + kVerification +
+                           "scenes/manufactured.toml\"\ncells = [[4, 4], [8, 8], [16, 16], [32, 32], [36, 36]]\n"
+                           "[[sequence]]\nkey = \"solver.max_iterations\"\nvalues = [12, 12, 12, 12, 1]\n"
+                           "[[quantity]]\nerror = \"l2\"\n";
+  const Fresh s("failed_check", text);
+  const std::pair<const char*, int> codes[] = {
+      {"", 3}, {"order_within = [1.5, 2.5]\n", 4}, {"order_within = [4, 5]\n", 1}, {"order_within = [1, 2]\n", 4}};
+  for (const auto& [check, code] : codes) {
+    std::ofstream(s.file) << text << check;
+    const Outcome told = call("converge " + s.file + " -o " + s.directory);
+    EXPECT_EQ(told.code, code) << check << told.text;
+    EXPECT_NE(flat(told.text).find("failed: " + s.file + ": 36x36"), std::string::npos) << told.text;
+  }
+}
+
+// A run that reached its end is not called failed where a column of its history is not a number.
+TEST(StudyRuns, TellAMissingValueFromAFailedRun) {
+  const Fresh s("no_value", block("cells = [[4, 8], [8, 16], [16, 32]]\n" + kLoad));
+  const std::string folder = s.run().runs[1].folder, file = folder + "/history.csv";
+  const std::string before = read_bytes(file), seal = read_bytes(folder + "/study_seal");
+  const auto history = read_csv(file);
+  const auto at = std::ranges::find(history.header, "fy_top") - history.header.begin();
+  const std::string cell = history.rows.back()[static_cast<std::size_t>(at)];
+  const std::string after = std::string(before).replace(before.rfind(cell), cell.size(), "nan");
+  const std::string hash = scene::hash_of(before);
+  std::ofstream(file) << after;
+  std::ofstream(folder + "/study_seal") << std::string(seal).replace(seal.find(hash), hash.size(),
+                                                                     scene::hash_of(after));
+  const Outcome told = call("converge " + s.file + " -o " + s.directory);
+  EXPECT_EQ(told.code, 0) << told.text;
+  EXPECT_NE(told.text.find("- no value\n"), std::string::npos) << told.text;
+  EXPECT_EQ(told.text.find("failed"), std::string::npos) << told.text;
 }
 
 // Nothing moves up to the first of the two loads, so that one iteration will do.
