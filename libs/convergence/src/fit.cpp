@@ -18,9 +18,9 @@ constexpr double kOrderKnownTo = 0.35;   // of the order
 constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
 constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
 constexpr double kContradiction = 1.5;  // of a smaller window's half width
-// Probabilities of scatter of 1 % or more from which on an order may be luck: by the window of the answer, and by the
-// next smaller one, which tells less.
-constexpr double kMayScatter = 0.01, kSmallerMayScatter = 0.2;
+// Probabilities of scatter of 1 % or more from which on an order may be luck: by the window of the answer, where that
+// is of five meshes or fewer, and by another window, which fits it less.
+constexpr double kMayScatter = 0.01, kMayScatterOfFive = 0.001, kOtherMayScatter = 0.2;
 
 double farthest(const Interval& interval, double value) {
   return std::fmax(std::fabs(interval.low - value), std::fabs(interval.high - value));
@@ -60,10 +60,13 @@ std::size_t choose(const std::vector<Windowed>& windows) {
   return 0;
 }
 
-// Whether it may be scatter that looks like an order. Four meshes, the first of the windows, do not tell.
+// Whether it may be scatter that looks like an order: by this window and the next smaller one; by the next larger one
+// where that is of four meshes, which do not tell.
 bool may_be_luck(const std::vector<Windowed>& windows, std::size_t chosen) {
-  const auto scattered = [&](std::size_t k) { return windows[k].posterior.scattered; };
-  return scattered(chosen) >= kMayScatter || (chosen > 1 && scattered(chosen - 1) >= kSmallerMayScatter);
+  const bool is_small = chosen < 2;  // windows are of four meshes, five, and so on
+  const std::size_t other = is_small ? std::min(chosen + 1, windows.size() - 1) : chosen - 1;
+  return windows[chosen].posterior.scattered >= (is_small ? kMayScatterOfFive : kMayScatter) ||
+         windows[other].posterior.scattered >= kOtherMayScatter;
 }
 
 // Root mean square of what C h^p leaves.
