@@ -56,7 +56,7 @@ struct LimitFit {
   double finest_pm = kNotKnown;
   double safety = kNotKnown;  ///< 1.25 where determined, 2 where not, 3 of three meshes
 
-  bool determined = false;  ///< whether the data determine p and (if it is not given) the limit: page "How sure is a fit?"
+  bool determined = false;  ///< whether the data determine p and (if it is not given) the limit
   std::string remark;       ///< why not
 };
 
