@@ -63,8 +63,9 @@ void print_runs(const convergence::Series& s, const convergence::StudyResult& re
                r.megabytes, r.iterations);
   }
   for (const auto& r : result.runs)  // what is missing above
-    if (r.variant == s.variant && std::isnan(r.value[s.quantity]) && !r.is_reference[s.quantity])
-      fmt::print("  {:>{}} {:>11.4g} {:>8} {:>14} failed\n", r.mesh, mesh, r.h, r.unknowns, "-");
+    if (r.variant == s.variant && !std::isfinite(r.value[s.quantity]) && !r.is_reference[s.quantity])
+      fmt::print("  {:>{}} {:>11.4g} {:>8} {:>14} {}\n", r.mesh, mesh, r.h, r.unknowns, "-",
+                 r.failure.empty() ? "no value" : "failed");
 }
 
 // How the results behave, before any fit.
@@ -94,7 +95,7 @@ void print_fit(const scene::Quantity& q, const convergence::Series& s) {
   }
   const bool fitted = q.kind == scene::Quantity::Kind::History && !q.exact;
   if (fitted) fmt::print("  limit {},", with_uncertainty(fit.limit, fit.limit_pm));
-  fmt::print("  order {}", with_uncertainty(fit.order, fit.order_pm));
+  fmt::print("{} order {}", fitted ? "" : " ", with_uncertainty(fit.order, fit.order_pm));
   if (fit.determined)
     fmt::print(", by the finest {} of {} meshes\n", fit.window, s.runs.size());
   else
@@ -165,6 +166,15 @@ void print(const scene::Study& study, const convergence::StudyResult& result) {
   print_timing(result);
 }
 
+// A check that is missed for certain counts most, then one that cannot be judged, or not by all runs.
+Exit exit_of(const scene::Study& study, const convergence::StudyResult& result) {
+  const bool is_check =
+      std::ranges::any_of(study.quantities, [](const auto& q) { return q.order_within || q.limit_within; });
+  if (!result.missed.empty()) return kCheckFailed;
+  if (!result.failed.empty()) return is_check ? kCannotTell : kFailed;
+  return result.undecided.empty() ? kDone : kCannotTell;
+}
+
 int converge(Options options) {
   const auto study = scene::read_study(options.study);
   options.run.program = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -177,9 +187,7 @@ int converge(Options options) {
   for (const auto& line : result.missed) fmt::print("does not hold: {}\n", line);
   for (const auto& line : result.undecided) fmt::print("cannot tell: {}\n", line);
   for (const auto& line : result.failed) fmt::print(stderr, "failed: {}: {}\n", options.study, line);
-  if (!result.failed.empty()) return kFailed;
-  if (!result.missed.empty()) return kCheckFailed;
-  return result.undecided.empty() ? kDone : kCannotTell;
+  return exit_of(study, result);
 }
 
 }  // namespace

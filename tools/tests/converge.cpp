@@ -7,6 +7,7 @@
 
 #include "cleft/support/files.hpp"
 #include "fresh_study.hpp"
+#include "shell.hpp"
 
 namespace cleft::tools {
 namespace {
@@ -120,6 +121,21 @@ TEST(Study, TellsNoErrorAgainstALimitThatIsNotDetermined) {
   ASSERT_EQ(r.undecided.size(), 1u);
   EXPECT_NE(r.undecided[0].find("limit is not determined: 3 meshes"), std::string::npos) << r.undecided[0];
   EXPECT_TRUE(std::isnan(read_csv(s.directory + "/fits.csv").column("limit")[0]));
+}
+
+// What is printed, written and checked of results that do not change is their value.
+TEST(Study, EqualResultsHaveALimitAndErrorsButNoOrder) {
+  const Fresh s("equal", block("[[sequence]]\nkey = \"solver.max_iterations\"\nvalues = [14, 13, 12]\nh = \"value\"\n"
+                               "[[quantity]]\ncolumn = \"fy_top\"\nload = 0.1\nlimit_within = [-1e9, 0]\n"));
+  const Outcome told = call("converge " + s.file + " -o " + s.directory);
+  EXPECT_EQ(told.code, 0) << told.text;
+  EXPECT_NE(told.text.find("exact to rounding"), std::string::npos) << told.text;
+  EXPECT_NE(told.text.find("  limit -"), std::string::npos) << told.text;
+  EXPECT_EQ(told.text.find("limit NOT DETERMINED"), std::string::npos) << told.text;
+  EXPECT_EQ(told.text.find("no error is known"), std::string::npos) << told.text;
+  const auto table = read_csv(s.directory + "/study.csv");
+  EXPECT_EQ(read_csv(s.directory + "/fits.csv").column("limit")[0], table.column("value")[2]);
+  EXPECT_EQ(table.column("error"), (std::vector{0.0, 0.0, 0.0}));
 }
 
 TEST(Study, MeasuresErrorsAndIsACheckWhereOrdersAreAskedFor) {

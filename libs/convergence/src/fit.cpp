@@ -14,10 +14,13 @@ namespace cleft::convergence {
 namespace {
 
 constexpr std::size_t kLeastMeshes = 4;  // that may determine an order
-constexpr double kOrderKnownTo = 0.35;    // of the order
+constexpr double kOrderKnownTo = 0.35;   // of the order
 constexpr double kLimitKnownTo = 0.5;    // of the finest result's distance from it
 constexpr double kSafety = 1.25, kSafetyUndetermined = 2.0, kSafetyOfThree = 3.0;
 constexpr double kContradiction = 1.5;  // of a smaller window's half width
+// Probabilities of scatter of 1 % or more from which on an order may be luck: by the window of the answer, where that
+// is of five meshes or fewer, and by another window, which fits it less.
+constexpr double kMayScatter = 0.01, kMayScatterOfFive = 0.001, kOtherMayScatter = 0.2;
 
 double farthest(const Interval& interval, double value) {
   return std::fmax(std::fabs(interval.low - value), std::fabs(interval.high - value));
@@ -55,6 +58,15 @@ std::size_t choose(const std::vector<Windowed>& windows) {
                      [&](const Windowed& smaller) { return contradicts(smaller, windows[k]); }))
       return k;
   return 0;
+}
+
+// Whether it may be scatter that looks like an order: by this window and the next smaller one; by the next larger one
+// where that is of four meshes, which do not tell.
+bool may_be_luck(const std::vector<Windowed>& windows, std::size_t chosen) {
+  const bool is_small = chosen < 2;  // windows are of four meshes, five, and so on
+  const std::size_t other = is_small ? std::min(chosen + 1, windows.size() - 1) : chosen - 1;
+  return windows[chosen].posterior.scattered >= (is_small ? kMayScatterOfFive : kMayScatter) ||
+         windows[other].posterior.scattered >= kOtherMayScatter;
 }
 
 // Root mean square of what C h^p leaves.
@@ -102,6 +114,8 @@ void fit_windows(const Sequence& s, LimitFit& out) {
   out.factor = answer.factor * std::pow(s.h[s.size() - out.window], -answer.order);
   out.scatter = scatter_of(s.finest(out.window), out);
   out.remark = doubt(s, out, posterior.order);
+  if (out.remark.empty() && s.has_limit && may_be_luck(windows, chosen))
+    out.remark = "scatter of 1 % or more may look like this order";
   out.determined = out.remark.empty();
   if (!s.has_limit) return;
   const auto& larger = windows[std::min(chosen + 1, windows.size() - 1)];
@@ -145,7 +159,8 @@ LimitFit fit_limit(std::span<const double> h, std::span<const double> value, con
   out.kind = class_of(s);
   out.observed_order = observed_orders(s);
   if (out.kind == SeriesClass::TooFew)
-    out.remark = fmt::format("{} meshes show nothing of an order", s.size());
+    out.remark = s.has_limit ? fmt::format("{} meshes show nothing of an order", s.size())
+                             : "one error above rounding shows nothing of an order";
   else if (out.kind == SeriesClass::Exact)
     take_exact(s, out);
   else

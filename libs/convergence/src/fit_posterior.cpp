@@ -30,6 +30,8 @@ constexpr std::array kOutlier{0.2, 0.8};
 constexpr double kOutlierShare = 0.1;  // probability that there is one
 constexpr std::size_t kLeastForOutlier = 4;
 
+constexpr double kLargeScatter = 0.01;  // of t: from here on its draws may look like an order
+
 constexpr double kNegligible = 9.0;  // of a logarithm of probabilities
 
 // Nodes of a normal distribution and what lies around each of them.
@@ -193,6 +195,16 @@ Interval order_of(const std::vector<Part>& parts, double largest, double step) {
   return {at_points.low * std::exp(-0.5 * step), at_points.high * std::exp(0.5 * step)};
 }
 
+double share_of_large_scatter(const std::vector<Part>& parts, double largest) {
+  double large = 0.0, all = 0.0;
+  for (const auto& part : parts) {
+    const double weight = std::exp(part.log_weight - largest);
+    all += weight;
+    if (part.draw.scatter >= kLargeScatter) large += weight;
+  }
+  return large / all;
+}
+
 std::vector<Weighted> limits_of(const std::vector<Part>& parts, double largest) {
   std::vector<Weighted> out;
   for (const auto& part : parts)
@@ -216,6 +228,7 @@ Posterior posterior_of(const Sequence& sequence) {
   out.best = best.draw;
   out.best.factor *= unit;
   out.order = order_of(parts, best.log_weight, scan.step());
+  out.scattered = share_of_large_scatter(parts, best.log_weight);
   if (!sequence.has_limit) return out;
   out.best.limit = origin + unit * out.best.limit;
   auto limits = limits_of(parts, best.log_weight);

@@ -39,11 +39,12 @@ struct Posterior {
   Interval limit;             ///< Q0, in the unit of Q
   Interval order;             ///< p
   double finest_error = 0.0;  ///< 95 % of the limits are nearer than this to the finest result
+  double scattered = 0.0;     ///< probability that the scatter t is 1 % or more
   Draw best;                  ///< among the points of the sums; its limit is the mean
 };
 
 /// A sequence with a limit that is not known has three meshes at least, others two; none more than kMostMeshes, and not
-/// all results equal. With a known limit (0, so that the results are errors) only `order` and `best` are filled in: the
+/// all results equal. With a known limit (0, so that the results are errors) only `order`, `scattered` and `best` are filled in: the
 /// scatter z_i then is relative to the error.
 Posterior posterior_of(const Sequence& sequence);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRounding = 1e-11;
 constexpr double kSteepest = 12.0;  // of observed orders
 constexpr double kFlat = 1e-6;      // an observed order of 0
-constexpr std::size_t kRecent = 3;  // differences that tell the class: coarse meshes may behave as they like
+constexpr std::size_t kRecent = 4;  // meshes that tell the class: coarse ones may behave as they like
 
 void check(std::span<const double> h, std::span<const double> value, double reference_h) {
   if (h.size() != value.size() || h.size() < 2) throw std::invalid_argument("a fit needs at least two results");
@@ -93,8 +93,9 @@ double ratio_of_steps(const Sequence& s, std::size_t k, double p) {
 
 SeriesClass class_of(const Sequence& s) {
   const auto all = steps_of(s);
-  if (all.size() < 2) return s.has_limit ? SeriesClass::TooFew : SeriesClass::Exact;
-  const std::span steps = std::span(all).last(s.has_limit ? std::min(kRecent, all.size()) : all.size());
+  if (!s.has_limit && all.empty()) return SeriesClass::Exact;
+  if (all.size() < 2) return SeriesClass::TooFew;
+  const std::span steps = std::span(all).last(std::min(s.has_limit ? kRecent - 1 : kRecent, all.size()));
   if (steps[steps.size() - 1] == 0.0 && steps[steps.size() - 2] == 0.0) return SeriesClass::Exact;
   bool rises = false, falls = false;
   for (const double step : steps) rises |= step > 0.0, falls |= step < 0.0;

@@ -47,7 +47,7 @@ bool is_sealed(const std::string& folder) {
 bool is_resumable(const std::string& folder) {
   const std::string path = folder + "/checkpoint";
   try {
-    if (!std::filesystem::exists(path)) return false;
+    if (std::filesystem::exists(folder + kSeal) || !std::filesystem::exists(path)) return false;
     results::checkpoint_from(read_bytes(path), path);
     return true;
   } catch (const std::runtime_error&) {

@@ -14,7 +14,8 @@ void seal(const std::string& folder);
 /// Whether the folder holds a run that was sealed, and its files are as they were then.
 bool is_sealed(const std::string& folder);
 
-/// Whether a run can go on from what the folder holds.
+/// Whether a run can go on from what the folder holds. Never in a folder that was sealed: what changed in it since may
+/// be in files that a run only appends to.
 bool is_resumable(const std::string& folder);
 
 /// Seconds that a run took.

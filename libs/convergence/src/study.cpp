@@ -53,7 +53,7 @@ Series series_of(const scene::Study& study, std::size_t quantity, const std::vec
   } else {
     out.fit = fit_limit(h, value, options);
   }
-  out.has_errors = options.limit || out.fit.determined;
+  out.has_errors = options.limit || out.fit.determined || out.fit.kind == SeriesClass::Exact;
   for (const double v : value) out.error.push_back(out.has_errors ? std::fabs(v - out.fit.limit) : kNotKnown);
   if (is_value && out.has_errors && std::isfinite(out.fit.limit) && out.fit.limit != 0.0)
     out.scale = std::fabs(out.fit.limit);

@@ -76,7 +76,7 @@ std::string fits_csv(const scene::Study& study, const StudyResult& result) {
       "asymptotic_ratio,window,finest,finest_pm,safety\n";
   for (const auto& s : result.series) {
     const LimitFit& fit = s.fit;
-    const double limit = s.has_errors || fit.kind == SeriesClass::Exact ? fit.limit : kNotKnown;
+    const double limit = s.has_errors ? fit.limit : kNotKnown;
     const double finest = s.runs.empty() ? kNotKnown : result.runs[s.runs.back()].value[s.quantity];
     fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{:.3f},{},{},{},{},{}\n",
                    cell(study.quantities[s.quantity].name), cell(s.variant), limit, fit.limit_pm, fit.order,

@@ -56,7 +56,7 @@ struct LimitFit {
   double finest_pm = kNotKnown;
   double safety = kNotKnown;  ///< 1.25 where determined, 2 where not, 3 of three meshes
 
-  bool determined = false;  ///< whether the data determine p and (if it is not given) the limit; four meshes at least
+  bool determined = false;  ///< whether the data determine p and (if it is not given) the limit
   std::string remark;       ///< why not
 };
 
@@ -68,8 +68,8 @@ struct LimitFit {
 /// not positive or not distinct, or on values that are not finite or whose differences are not.
 ///
 /// Sources: Oates, Karvonen, Teckentrup, Strocchi and Niederer, J. R. Stat. Soc. B 87 (2025) 457 (probabilistic
-/// Richardson extrapolation); Eca and Hoekstra, J. Comput. Phys. 262 (2014) 104; ASME V&V 20-2009. How often the
-/// intervals hold: the page "How sure is a fit?" of the documentation.
+/// Richardson extrapolation); ASME V&V 20-2009 (factors of safety). How often the intervals hold: the page "How sure is
+/// a fit?" of the documentation.
 LimitFit fit_limit(std::span<const double> h, std::span<const double> value, const FitOptions& options = {});
 
 /// The model C x^p. The half width is the larger of 95 % by Student's t and of what any one cost does to p.

@@ -45,7 +45,7 @@ struct Series {
   std::size_t quantity = 0;
   std::string variant;
   std::vector<std::size_t> runs;  ///< index of each run, without those that have no value
-  bool has_errors = true;         ///< there is an exact value, or the limit is determined
+  bool has_errors = true;         ///< there is an exact value, the limit is determined, or the results are equal
   std::vector<double> error;      ///< from that; NaN without
   double scale = 1.0;             ///< that makes errors relative
   /// What can be said without a limit: difference from the value on the finest mesh, relative to that. Of columns of
