@@ -25,7 +25,7 @@ TEST(NewtonVerb, ReadsTheFolderOfARunAndShowsWhatMisses) {
 }
 
 TEST(NewtonVerb, OnAFullDiskTheRunHasFailed) {
-  const Outcome o = call("newton " + kBlock + "-o " + fresh("newton_full"), "trap '' XFSZ; ulimit -f 40; ");
+  const Outcome o = call("newton " + kBlock + "-o " + fresh("newton_full"), "trap '' XFSZ; ulimit -f 80; ");
   EXPECT_EQ(o.code, 3) << o.text;
   EXPECT_NE(o.text.find("cannot be written"), std::string::npos) << o.text;
 }
