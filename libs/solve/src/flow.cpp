@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cleft/assembly/f_bar.hpp"
+
 namespace cleft::solve {
 
 double largest_flow(const assembly::Model& model, const std::vector<constitutive::PlasticState>& before,
@@ -17,7 +19,7 @@ bool is_on_apex(const assembly::Model& model, Index point, const VecX& displacem
   return std::visit(
       [&]<class Law>(const Law& law) {
         if constexpr (constitutive::PathDependent<Law>)
-          return law.friction > 0.0 && law.is_on_apex(assembly::deformation(model, point, displacement), now);
+          return law.friction > 0.0 && law.is_on_apex(assembly::material_deformation(model, point, displacement), now);
         return false;
       },
       model.material(point));

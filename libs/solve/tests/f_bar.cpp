@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 #include "cleft/assembly/assembler.hpp"
+#include "cleft/assembly/stress.hpp"
 #include "cleft/geometry/delaunay.hpp"
+#include "flow.hpp"
 #include "small_models.hpp"
 
 namespace cleft::solve {
@@ -257,6 +260,36 @@ TEST(Patches, DoNotSeeHowTheBodyIsTurned) {
       EXPECT_LE((assembler.internal_force().segment<2>(2 * k) - R * force.segment<2>(2 * k)).norm(),
                 1e-10 * force.cwiseAbs().maxCoeff());
   }
+}
+
+// At the apex there is no shear stress. Cells of a patch have the volume of both there, not their own.
+TEST(Patches, AreOnTheApexWhereTheirStressIsAPressure) {
+  const constitutive::FinitePlastic law{{constitutive::lame(1e10, 0.25), 1e7, 0.4, 0.3, 0.0}};
+  assembly::Model m;
+  m.mesh = geometry::structured_mesh({0, 0, 1, 1}, {8, 8}, geometry::Diagonal::Right);
+  models::discretise(m, 1.0, 0.0, contact::NegativeSide::Left, 1e10);
+  m.materials = {assembly::Material(law)};
+  m.f_bar_partner = pair_cells(m);
+  VecX u(m.unknowns.components());
+  for (Index k = 0; k < m.unknowns.count; ++k) {
+    const Vec2& X = m.mesh.nodes[m.unknowns.node_of[k]];
+    u.segment<2>(2 * k) = 1e-2 * Vec2(X.x() + 0.6 * std::sin(9.0 * X.y() + 5.0 * X.x()),
+                                      X.y() + 0.6 * std::sin(11.0 * X.x() + 4.0 * X.y()));
+  }
+  assembly::Assembler assembler(m);
+  ASSERT_FALSE(assembler.assemble(u, state_at_rest(m).history));
+  std::array<int, 2> visits{};
+  for (Index c = 0; c < static_cast<Index>(m.cells.size()); ++c) {
+    const auto& now = assembler.plastic()[c];
+    if (!(now.accumulated > 0.0)) continue;
+    const auto stress = assembly::stress_of(m.material(c), material_deformation(m, c, u), now);
+    const double pressure = 0.5 * stress.in_plane.trace();
+    const bool pure = (stress.in_plane - pressure * Mat2::Identity()).norm() < 1e-6 * std::fabs(pressure);
+    EXPECT_EQ(is_on_apex(m, c, u, now), pure) << "cell " << c;
+    ++visits[pure];
+  }
+  EXPECT_GT(visits[0], 5);
+  EXPECT_GT(visits[1], 5);
 }
 
 }  // namespace
