@@ -119,6 +119,11 @@ std::vector<solve::Iteration> iterations_of(const solve::Step& step) {
   return out;
 }
 
+// What a run cannot write, as on a full disk.
+struct NotWritten : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Solves a scene until it ends, fails or is clearly linear.
 std::vector<tangent_check::IncrementRate> rates_of_scene(const Options& options) {
   const auto scene = tangent_check::until_rounding(scene::read_scene(options.subject, options.overrides));
@@ -134,14 +139,14 @@ std::vector<tangent_check::IncrementRate> rates_of_scene(const Options& options)
   };
   const auto result = simulation::run(scene, run);
   using End = simulation::RunResult::End;
-  if (result.end == End::NotWritten) throw std::runtime_error(result.unwritten);
+  if (result.end == End::NotWritten) throw NotWritten(result.unwritten);
   if (result.end == End::Failed) fmt::print("the run ended at load {:.6g}: {}\n", result.load, result.reason);
   if (result.end == End::Stopped)
     fmt::print("stopped at load {:.6g}: the last increments are clearly linear\n", result.load);
   return tangent_check::newton_rates(run.directory);
 }
 
-int newton(const Options& options) {
+int newton(const Options& options) try {
   using tangent_check::RateAnswer;
   const bool is_folder = std::filesystem::is_directory(options.subject);
   if (is_folder && !(options.overrides.empty() && options.directory.empty()))
@@ -161,6 +166,9 @@ int newton(const Options& options) {
       fmt::print("cannot tell: {}\n", verdict.reason);
   }
   return kCannotTell;
+} catch (const NotWritten& error) {
+  fmt::print(stderr, "cleft: {}\n", error.what());
+  return kFailed;
 }
 
 }  // namespace

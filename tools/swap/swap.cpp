@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 #include "cleft/scene/json.hpp"
@@ -23,13 +24,25 @@ struct Options {
   objectivity::SwapOptions swap;
 };
 
+// A mesh of Gmsh instead of the scene's, which may be of another kind.
+std::string override_with(const std::string& file) {
+  const auto path = std::filesystem::absolute(file).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(
+        {"command line"}, "--meshes",
+        fmt::format("there is no file {}; allowed: meshes of Gmsh, relative to the working directory", path.string()));
+  const std::string text = std::regex_replace(path.string(), std::regex(R"(["\\])"), R"(\$&)");
+  return fmt::format(R"(mesh={{kind="gmsh",file="{}"}})", text);
+}
+
 // The override that a mesh on the command line stands for.
 std::string override_of(const std::string& mesh) {
   std::smatch part;
   if (std::regex_match(mesh, part, std::regex("(\\d+)x(\\d+)")))
     return fmt::format("mesh.cells=[{},{}]", part[1].str(), part[2].str());
   if (std::regex_match(mesh, std::regex("\\d+(\\.\\d*)?"))) return "mesh.refine=" + mesh;
-  if (mesh.ends_with(".msh")) return fmt::format("mesh.file=\"{}\"", mesh);
+  if (mesh.ends_with(".msh")) return override_with(mesh);
   throw InputError({"command line"}, "--meshes",
                    fmt::format("'{}' is no mesh; allowed: cells as 16x32, mesh.refine as 2, or a .msh file", mesh));
 }
@@ -101,7 +114,28 @@ void print(const objectivity::SwapResult& result, const Options& options) {
 // Why the check is not done.
 void print_doubt(const objectivity::SwapResult& result) {
   for (const auto& line : result.failed) fmt::print("cannot tell: {}\n", line);
-  if (result.failed.empty()) fmt::print("cannot tell: nothing is in contact at this load\n");
+  bool told = !result.failed.empty();
+  for (const auto* all : {&result.sides, &result.turn})
+    for (const auto& of : *all) {
+      if (of.verdict != objectivity::Verdict::Unknown) continue;
+      fmt::print("cannot tell: {}: {}\n", of.quantity, of.reason);
+      told = true;
+    }
+  if (!told) fmt::print("cannot tell: nothing is in contact at this load\n");
+}
+
+// False where the files cannot be written, as on a full disk.
+bool write(const objectivity::SwapResult& result, const objectivity::SwapOptions& options, const std::string& title) {
+  try {
+    const auto undrawn = objectivity::write_swap(result, options, title);
+    fmt::print("\nresults in {}: values.csv, differences.csv, pressure.csv, swap.json, pressure_{}.svg\n",
+               options.directory, result.cracks[0]);
+    if (undrawn) fmt::print("no figures: {}\n", *undrawn);
+    return true;
+  } catch (const std::runtime_error& error) {
+    fmt::print(stderr, "cleft: {}\n", error.what());
+    return false;
+  }
 }
 
 int swap(Options options) {
@@ -113,10 +147,7 @@ int swap(Options options) {
   const auto result = objectivity::swap_sides(options.scene, options.swap);
   if (!title.empty()) fmt::print("{}\n", title);
   print(result, options);
-  const auto undrawn = objectivity::write_swap(result, options.swap, title);
-  fmt::print("\nresults in {}: values.csv, differences.csv, pressure.csv, swap.json, pressure_{}.svg\n",
-             options.swap.directory, result.cracks[0]);
-  if (undrawn) fmt::print("no figures: {}\n", *undrawn);
+  if (!write(result, options.swap, title)) return kFailed;
   if (result.verdict == objectivity::Verdict::Unknown) print_doubt(result);
   fmt::print("the check {}\n", name_of(result.verdict));
   return result.verdict == objectivity::Verdict::Holds   ? kDone
@@ -136,8 +167,8 @@ void add_comparison(CLI::App& verb, Options& options) {
       ->delimiter(',')
       ->expected(2);
   verb.add_option("--meshes", options.meshes,
-                  "meshes, coarsest first: cells as 8x16,16x32, of delaunay meshes mesh.refine as 1,2, or .msh files; "
-                  "default: the scene's")
+                  "meshes, coarsest first: cells as 8x16,16x32, of delaunay meshes mesh.refine as 1,2, or .msh files "
+                  "(relative to the working directory) instead of the scene's; default: the scene's")
       ->type_name("MESH,...")
       ->delimiter(',');
   verb.add_option("--turn", options.swap.degrees,
@@ -162,7 +193,7 @@ void add_swap(CLI::App& app, int& result) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb->add_option("--order", options->swap.least_order,
-                   "of three meshes or more: order by which a larger difference must fall for certain")
+                   "of four meshes or more: order by which a larger difference must fall for certain")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
   verb->add_option("--threads", options->swap.threads, "threads of the linear algebra")

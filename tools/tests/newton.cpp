@@ -24,6 +24,12 @@ TEST(NewtonVerb, ReadsTheFolderOfARunAndShowsWhatMisses) {
       << strict.text;
 }
 
+TEST(NewtonVerb, OnAFullDiskTheRunHasFailed) {
+  const Outcome o = call("newton " + kBlock + "-o " + fresh("newton_full"), "trap '' XFSZ; ulimit -f 80; ");
+  EXPECT_EQ(o.code, 3) << o.text;
+  EXPECT_NE(o.text.find("cannot be written"), std::string::npos) << o.text;
+}
+
 TEST(NewtonVerb, DoesNotJudgeIterationsThatStopEarly) {
   const std::string out = fresh("newton_early");
   ASSERT_EQ(call("run " + kScenes +

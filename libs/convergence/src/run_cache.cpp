@@ -1,4 +1,4 @@
-#include "run_cache.hpp"
+#include "cleft/convergence/run_cache.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "cleft/convergence/run_cache.hpp"
 #include "cleft/support/files.hpp"
 #include "cleft/support/process.hpp"
 #include "parallel.hpp"
-#include "run_cache.hpp"
 
 namespace cleft::convergence {
 namespace {

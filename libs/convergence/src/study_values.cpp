@@ -17,25 +17,12 @@ namespace {
 using scene::Quantity;
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr double kAtTheLoad = 1e-9;
 
 nlohmann::json run_json(const StudyRun& run) { return nlohmann::json::parse(read_bytes(run.folder + "/run.json")); }
 
 double history_value(const StudyRun& run, const Quantity& q) {
   const auto table = read_csv(run.folder + "/history.csv");
-  const auto loads = table.column("load");
-  for (std::size_t k = loads.size(); k-- > 0;)  // the last state at a load: cracks may grow there
-    if (std::fabs(loads[k] - q.load) < kAtTheLoad) return table.column(q.column)[k];
-  throw std::runtime_error(fmt::format("{}: no row at load {}", run.folder, q.load));
-}
-
-// Of several states at one load, between which cracks have grown, the last.
-void keep_last_step(CsvTable& table) {
-  const auto at = std::find(table.header.begin(), table.header.end(), "step");
-  if (at == table.header.end() || table.rows.empty()) return;
-  const auto column = static_cast<std::size_t>(at - table.header.begin());
-  const std::string last = table.rows.back().at(column);
-  std::erase_if(table.rows, [&](const auto& row) { return row.at(column) != last; });
+  return table.column(q.column)[last_row_at(table, q.load)];
 }
 
 // Of a crack whose faces both have points, one face: their tractions are opposite and their places have moved apart.
@@ -51,14 +38,7 @@ void keep_side(CsvTable& table, const std::string& wanted) {
 // The curve of a table: its rows at the quantity's load; all rows of a table without loads.
 Curve curve_of(const std::string& path, const Quantity& q) {
   auto table = read_csv(path);
-  if (std::find(table.header.begin(), table.header.end(), "load") != table.header.end()) {
-    const auto loads = table.column("load");
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::fabs(loads[k] - q.load) < kAtTheLoad) table.rows[kept++] = table.rows[k];
-    table.rows.resize(kept);
-    keep_last_step(table);
-  }
+  if (std::ranges::find(table.header, "load") != table.header.end()) table = last_state_at(table, q.load);
   keep_side(table, q.side);
   return {table.column(q.along), table.column(q.column)};
 }

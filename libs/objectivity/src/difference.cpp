@@ -29,7 +29,7 @@ double largest_reaction(std::span<const Solution> solutions) {
 double over(double difference, double scale) { return scale > 0.0 ? difference / scale : 0.0; }
 
 Difference reaction(std::span<const Solution> solutions, const std::string& name) {
-  Difference out{"reaction " + name, true, {}};
+  Difference out{"reaction " + name, true, {}, ""};
   const double scale = largest_reaction(solutions);
   for (const auto& [i, k] : pairs_of(solutions.size()))
     out.of_pair.push_back(over((solutions[i].reactions.at(name) - solutions[k].reactions.at(name)).norm(), scale));
@@ -38,7 +38,7 @@ Difference reaction(std::span<const Solution> solutions, const std::string& name
 
 Difference energy(std::span<const Solution> solutions, std::size_t number) {
   const std::string& name = solutions[0].energies[number].first;
-  Difference out{name, name != "contact_energy", {}};
+  Difference out{name, name != "contact_energy", {}, ""};
   const double least = kLeastPart * largest_energy(solutions);
   for (const auto& [i, k] : pairs_of(solutions.size())) {
     const double a = solutions[i].energies[number].second, b = solutions[k].energies[number].second;
@@ -68,12 +68,24 @@ double distance_of(std::span<const PressureProfile> profiles, std::pair<std::siz
   return out;
 }
 
+// Why the pressures on a crack have no places in common.
+std::string doubt_of(std::span<const Solution> solutions, const std::string& crack) {
+  for (const auto& solution : solutions) {
+    const auto& faces = solution.faces.at(crack);
+    if (!faces.empty() && std::ranges::all_of(faces, has_places)) continue;
+    return fmt::format("a face of crack {} has fewer than two contact points apart, integrated on {}", crack,
+                       solution.side);
+  }
+  return "";
+}
+
 void add_pressures(std::span<const Solution> solutions, const std::string& crack, const ContactPart& part,
                    std::vector<Difference>& out) {
+  const std::string doubt = doubt_of(solutions, crack);
   const auto profiles = pressure_profiles(solutions, crack);
-  const auto whole = contact_range(profiles);
+  const auto whole = doubt.empty() ? contact_range(profiles) : std::nullopt;
   const auto add = [&](const std::string& quantity, bool judged, const ContactPart& of) {
-    Difference& pressure = out.emplace_back(Difference{quantity, judged, {}});
+    Difference& pressure = out.emplace_back(Difference{quantity, judged, {}, doubt});
     const auto place = [&](double fraction) { return std::lerp((*whole)[0], (*whole)[1], fraction); };
     for (const auto& pair : pairs_of(solutions.size()))
       pressure.of_pair.push_back(whole ? distance_of(profiles, pair, {place(of[0]), place(of[1])}) : kNothing);
@@ -107,9 +119,13 @@ std::vector<Difference> differences(std::span<const Solution> solutions, const C
 
 std::vector<PressureProfile> pressure_profiles(std::span<const Solution> solutions, const std::string& crack) {
   std::vector<PressureProfile> out;
-  const CurrentPlaces places(solutions[0].faces.at(crack).at(0));
+  std::optional<CurrentPlaces> places;
+  for (const auto& solution : solutions)
+    for (const auto& face : solution.faces.at(crack))
+      if (!places && has_places(face)) places.emplace(face);
+  if (!places) return out;
   for (std::size_t k = 0; k < solutions.size(); ++k)
-    for (const auto& face : solutions[k].faces.at(crack)) out.push_back({k, face.side, pressure_over(places, face)});
+    for (const auto& face : solutions[k].faces.at(crack)) out.push_back({k, face.side, pressure_over(*places, face)});
   return out;
 }
 

@@ -13,15 +13,6 @@
 namespace cleft::objectivity {
 namespace {
 
-constexpr double kAtTheLoad = 1e-9;
-
-// Of several states at one load the last.
-std::size_t last_row_at(const std::vector<double>& loads, double load, const std::string& folder) {
-  for (std::size_t k = loads.size(); k-- > 0;)
-    if (std::fabs(loads[k] - load) < kAtTheLoad) return k;
-  throw std::runtime_error(fmt::format("{}: no row at load {}", folder, load));
-}
-
 bool is_energy(const std::string& column) {
   return column != "released_energy" &&
          (column.ends_with("_energy") || column.ends_with("_dissipation") || column == "external_work");
@@ -29,7 +20,7 @@ bool is_energy(const std::string& column) {
 
 void read_history(const std::string& folder, double load, Solution& out) {
   const auto table = read_csv(folder + "/history.csv");
-  const std::size_t row = last_row_at(table.column("load"), load, folder);
+  const std::size_t row = last_row_at(table, load);
   const auto iterations = table.column("iterations");
   out.increments = static_cast<long>(row) + 1;
   for (std::size_t k = 0; k <= row; ++k) out.iterations += std::lround(iterations[k]);
@@ -59,17 +50,16 @@ Face face_of(const std::string& side, std::vector<PointOnFace> points) {
 }
 
 std::vector<Face> read_faces(const std::string& file, double load, problem::Kinematics kinematics) {
-  const auto table = read_csv(file);
+  const auto all = read_csv(file);
+  if (all.rows.empty()) return {};
+  const auto table = last_state_at(all, load);
   const bool finite = kinematics == problem::Kinematics::Finite;
-  const auto x = table.column(finite ? "x" : "X"), y = table.column(finite ? "y" : "Y");
-  const auto loads = table.column("load"), steps = table.column("step"), s = table.column("s"),
+  const auto x = table.column(finite ? "x" : "X"), y = table.column(finite ? "y" : "Y"), s = table.column("s"),
              pressure = table.column("pressure");
-  const double step = steps[last_row_at(loads, load, file)];
   const auto side = static_cast<std::size_t>(std::ranges::find(table.header, "side") - table.header.begin());
   std::map<std::string, std::vector<PointOnFace>> by_side;
-  for (std::size_t k = 0; k < loads.size(); ++k)
-    if (steps[k] == step && std::fabs(loads[k] - load) < kAtTheLoad)
-      by_side[table.rows[k].at(side)].push_back({s[k], Vec2(x[k], y[k]), pressure[k]});
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+    by_side[table.rows[k].at(side)].push_back({s[k], Vec2(x[k], y[k]), pressure[k]});
   std::vector<Face> out;
   for (const auto& [name, points] : by_side) out.push_back(face_of(name, points));
   return out;
@@ -94,13 +84,17 @@ Solution turned_back(Solution solution, double degrees) {
   return solution;
 }
 
+bool has_places(const Face& face) {
+  return std::ranges::any_of(face.place, [&](const Vec2& point) { return point != face.place.front(); });
+}
+
 CurrentPlaces::CurrentPlaces(const Face& face) {
+  if (!has_places(face)) throw std::invalid_argument("a face needs two points apart to have places along it");
   for (const Vec2& point : face.place) {
     if (!points_.empty() && point == points_.back()) continue;
     s_.push_back(points_.empty() ? 0.0 : s_.back() + (point - points_.back()).norm());
     points_.push_back(point);
   }
-  if (points_.size() < 2) throw std::invalid_argument("a face needs two points apart to have places along it");
 }
 
 double CurrentPlaces::operator()(const Vec2& point) const {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 
+#include "cleft/convergence/run_cache.hpp"
 #include "cleft/geometry/mesh.hpp"
 #include "cleft/objectivity/turned.hpp"
 #include "cleft/problem/build.hpp"
@@ -92,20 +92,22 @@ class Runs {
   // Nothing if the run does not get to the load.
   std::optional<Solution> solve(const problem::Specification& scene, const std::string& name) {
     const std::string folder = folder_of(scene, name);
-    if (auto earlier = read(scene, folder)) {
-      tell(name + ": was there");
-      return earlier;
-    }
-    const auto end = run(scene, folder);
-    auto solution = read(scene, folder);
-    if (solution) {
-      tell(fmt::format("{}: {} increments, {} iterations", name, solution->increments, solution->iterations));
-    } else {
-      result_.failed.push_back(fmt::format("{}: ended at load {:.6g}: {}", name, end.load,
-                                           end.unwritten.empty() ? end.reason : end.unwritten));
+    std::string early;
+    try {
+      const bool was_there = convergence::is_sealed(folder);
+      if (!was_there) early = run(scene, folder);
+      const auto out = read_solution(folder, options_.load, scene);
+      if (!was_there) convergence::seal(folder);
+      tell(was_there ? name + ": was there"
+                     : fmt::format("{}: {} increments, {} iterations", name, out.increments, out.iterations));
+      return out;
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      result_.failed.push_back(fmt::format("{}: {}{}", name, early, error.what()));
       tell(result_.failed.back());
+      return std::nullopt;
     }
-    return solution;
   }
 
  private:
@@ -117,28 +119,17 @@ class Runs {
                        scene::hash_of(scene::scene_hash(scene) + options_.identity));
   }
 
-  std::optional<Solution> read(const problem::Specification& scene, const std::string& folder) const {
-    if (!std::filesystem::exists(folder + "/run.json")) return std::nullopt;
-    try {
-      return read_solution(folder, options_.load, scene);
-    } catch (const std::runtime_error&) {  // it ended before the load, or its files are damaged
-      return std::nullopt;
-    }
-  }
-
-  // Until the load; of cracks that grow until beyond it, for they may grow there.
-  simulation::RunResult run(const problem::Specification& scene, const std::string& folder) const {
-    std::atomic<bool> stop = false;
-    const bool beyond = problem::grows(scene), follows_path = scene.loading.control == solve::Control::Path;
-    const double end = options_.load + (beyond ? 1e-9 : -1e-9);
+  // Until the load, or a whole path, which may come back to the load. Says how it ended before its end. Throws
+  // std::runtime_error where its files cannot be written.
+  std::string run(const problem::Specification& scene, const std::string& folder) const {
     simulation::RunOptions run;
     run.directory = folder;
     run.threads = options_.threads;
-    run.stop = &stop;
-    run.observer = [&](const simulation::Progress& at) {
-      if (at.iteration == 0 && at.load > end && !follows_path) stop = true;
-    };
-    return simulation::run(scene, run);
+    run.last_load = scene.loading.control == solve::Control::Path ? 1.0 : options_.load;
+    const auto result = simulation::run(scene, run);
+    using End = simulation::RunResult::End;
+    if (result.end == End::NotWritten) throw std::runtime_error(result.unwritten);
+    return result.end == End::Done ? "" : fmt::format("ended at load {:.6g}: {}; ", result.load, result.reason);
   }
 
   void tell(const std::string& line) const {

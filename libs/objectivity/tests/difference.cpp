@@ -86,6 +86,21 @@ TEST(Differences, OfAnOpenCrackThereAreNone) {
   EXPECT_TRUE(std::isnan(named(differences(sides, {0.1, 0.9}), "pressure main").largest()));
 }
 
+TEST(Differences, OfAFaceWithFewerThanTwoPointsApartCannotBeTold) {
+  const Face point{"left", {{1.0, 1.0}}, {5.0}}, whole = face("right", 0.0, 0.0, linear);
+  for (const auto& faces : {std::vector<Face>{}, {point}, {point, whole}})
+    for (const bool first : {false, true}) {
+      std::vector sides{solution("left", faces), solution("right", {whole})};
+      if (!first) std::swap(sides[0], sides[1]);
+      const auto pressure = named(differences(sides, {0.1, 0.9}), "pressure main, 0.1 to 0.9");
+      EXPECT_TRUE(std::isnan(pressure.largest()));
+      EXPECT_EQ(pressure.doubt, "a face of crack main has fewer than two contact points apart, integrated on left");
+      EXPECT_EQ(pressure_profiles(sides, "main").size(), faces.size() + 1) << "they are shown all the same";
+    }
+  const std::vector both{solution("left", {point}), solution("right", {})};
+  EXPECT_TRUE(pressure_profiles(both, "main").empty()) << "no face has places";
+}
+
 TEST(Differences, OfReactionsAreThoseOfVectorsOverTheLargest) {
   std::vector sides(3, solution("left", {face("left", 0.0, 0.0, linear)}));
   sides[1].reactions["bottom"] = Vec2(3.3, 4.4);

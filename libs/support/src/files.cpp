@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -65,6 +66,11 @@ double number_of(const std::string& cell, const std::string& column) {
   const double value = std::strtod(cell.c_str(), &end);
   if (cell.empty() || *end != '\0') throw std::runtime_error("column " + column + ": '" + cell + "' is not a number");
   return value;
+}
+
+bool is_at(double load, double wanted) {
+  constexpr double kRounding = 1e-9;
+  return std::fabs(load - wanted) < kRounding;
 }
 
 }  // namespace
@@ -133,6 +139,26 @@ CsvTable read_csv(const std::string& path) {
     if (!line.starts_with('#')) table.header = split_row(line);
   while (std::getline(in, line)) table.rows.push_back(split_row(line));
   return table;
+}
+
+std::size_t last_row_at(const CsvTable& table, double load) {
+  const auto loads = table.column("load");
+  for (std::size_t k = loads.size(); k-- > 0;)
+    if (is_at(loads[k], load)) return k;
+  std::ostringstream what;
+  what << "no row at load " << load;
+  throw std::runtime_error(what.str());
+}
+
+CsvTable last_state_at(const CsvTable& table, double load) {
+  const std::size_t last = last_row_at(table, load);
+  const auto loads = table.column("load");
+  const bool has_steps = std::ranges::find(table.header, "step") != table.header.end();
+  const auto steps = has_steps ? table.column("step") : std::vector<double>(loads.size());
+  CsvTable out{table.header, {}};
+  for (std::size_t k = 0; k <= last; ++k)
+    if (is_at(loads[k], load) && steps[k] == steps[last]) out.rows.push_back(table.rows[k]);
+  return out;
 }
 
 }  // namespace cleft

@@ -171,6 +171,17 @@ TEST(Csv, LinesThatTellTheProvenanceArePassedOver) {
   EXPECT_TRUE(read_csv(folder.write("b.csv", "# alone\n")).header.empty());
 }
 
+TEST(Csv, OfSeveralStatesAtALoadTheLastCounts) {
+  const Folder folder;
+  const auto table =
+      read_csv(folder.write("a.csv", "step,load,x\n1,0.5,1\n2,1,2\n3,0.5,3\n3,0.5000000000001,4\n4,2,5\n"));
+  EXPECT_EQ(last_row_at(table, 0.5), 3u);
+  EXPECT_EQ(last_state_at(table, 0.5).column("x"), (std::vector<double>{3.0, 4.0}));
+  EXPECT_EQ(failure_of([&] { (void)last_row_at(table, 0.75); }), "no row at load 0.75");
+  const auto stepless = read_csv(folder.write("b.csv", "load,x\n0.5,1\n0.5,2\n1,3\n"));
+  EXPECT_EQ(last_state_at(stepless, 0.5).column("x"), (std::vector<double>{1.0, 2.0}));
+}
+
 TEST(Csv, FaultsOfAColumnAreTold) {
   const Folder folder;
   const auto table = read_csv(folder.write("a.csv", "x,status,z\n1,slip,3\n2,open\n"));

@@ -21,6 +21,7 @@ struct Difference {
   /// constraints, which is of the method and not of the body.
   bool judged = true;
   std::vector<double> of_pair;
+  std::string doubt;  ///< why it cannot be told: a face with fewer than two contact points apart; else empty
 
   double largest() const;  ///< NaN if any is
 };
@@ -45,8 +46,8 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs_of(std::size_t count);
 /// a tip the pressure is singular and its norm hardly exists, so that only the part without the ends is judged.
 std::vector<Difference> differences(std::span<const Solution> solutions, const ContactPart& part);
 
-/// Pressure over the current place, for all faces of all solutions over the same curve: the first face of the first
-/// solution.
+/// Pressure over the current place, for all faces of all solutions over the same curve: the first face
+/// that has two points apart. None if no face has.
 struct PressureProfile {
   std::size_t solution = 0;
   std::string face;  ///< left or right

@@ -25,7 +25,7 @@ struct Solution {
   std::map<std::string, Vec2> reactions;                 ///< on the body by boundary, N/m
   std::vector<std::pair<std::string, double>> energies;  ///< J/m, by their columns of history.csv
   long increments = 0, iterations = 0;                   ///< up to the load
-  std::map<std::string, std::vector<Face>> faces;        ///< by crack
+  std::map<std::string, std::vector<Face>> faces;        ///< by crack; none of a crack without contact points
 };
 
 /// The state at a load in the folder of a run of the scene; of several between which cracks have grown, the last. Faces
@@ -35,6 +35,9 @@ Solution read_solution(const std::string& folder, double load, const problem::Sp
 
 /// The solution as it was before the scene was turned.
 Solution turned_back(Solution solution, double degrees);
+
+/// Whether a face has two points apart, and so places along it.
+bool has_places(const Face& face);
 
 /// Arc length along a crack in that configuration: of a point that of its foot on the curve through the points
 /// of one face, counted from the first of them, metres. The curve goes on straight beyond its ends. So the points of

@@ -28,7 +28,7 @@ struct SwapOptions {
   std::optional<double> degrees;       ///< by which the scene is turned on the first mesh
   double tolerance = kSideTolerance;   ///< of the relative difference between sides on the finest mesh
   double least_order = 0.5;  ///< of a difference that is above it: it falls as h^p, p at least this for certain
-  std::string directory;     ///< results; runs are kept in its folder `runs` and used again
+  std::string directory;     ///< results; runs are kept in its folder `runs` and used again as long as they are as left
   std::string identity;      ///< changes with the program: runs of another one are not used again
   int threads = 1;           ///< of the linear algebra
   std::function<void(const std::string&)> tell;  ///< hears a line for each run
@@ -49,7 +49,7 @@ const char* name_of(Verdict verdict);  ///< holds, does not hold, cannot tell
 struct Judgement {
   std::string quantity;
   std::vector<double> h, difference;   ///< metres, and the largest of the pairs; meshes with a failed run are left out
-  double order = 0.0, order_pm = 0.0;  ///< of the difference, with its 95 % interval; NaN below three meshes
+  double order = 0.0, order_pm = 0.0;  ///< of the difference, with its 95 % interval; NaN below two meshes
   std::optional<Verdict> verdict;      ///< none: told only, or nothing is in contact
   std::string reason;
 };
@@ -67,9 +67,16 @@ struct SwapResult {
 /// Validates everything, runs what has not been run before, compares and judges. Throws InputError on a bad scene,
 /// crack or mesh, before anything is run, and std::runtime_error where files cannot be written.
 ///
-/// A quantity holds if its difference on the finest mesh is within the tolerance, or if it falls for certain; a turned
-/// scene's within kTurnTolerance. The check holds if all of them do. Where a run failed, or no crack is in contact, it
-/// cannot be judged, unless something does not hold.
+/// A quantity is judged by its difference on the finest mesh. Within the tolerance it holds. Above it:
+///
+/// | meshes | it holds | it does not | it cannot be told |
+/// | --- | --- | --- | --- |
+/// | four or more | order determined, its interval from least_order on | interval below it, or no fall | else |
+/// | fewer | never | above ten times the tolerance | else |
+///
+/// There is no fall if the class of the sequence is diverging, or the finest mesh has no less than the coarsest.
+/// A turned scene's holds within kTurnTolerance. The check holds if all of them do. It does not if one does not; else
+/// it cannot be judged where one cannot, where a run failed, or where no crack is in contact.
 SwapResult swap_sides(const std::string& scene, const SwapOptions& options);
 
 /// Writes values.csv, differences.csv, pressure.csv, swap.json and the figures pressure_CRACK.svg and difference.svg.

@@ -43,4 +43,12 @@ struct CsvTable {
 /// std::runtime_error with path and reason if the file cannot be read.
 CsvTable read_csv(const std::string& path);
 
+/// The last row of a table whose column `load` is at this load: of several states there, between which cracks have
+/// grown, it is of the last. Throws std::runtime_error if there is none.
+std::size_t last_row_at(const CsvTable& table, double load);
+
+/// The rows at this load, of the last of several states there (by the column `step`, where there is one). Throws
+/// std::runtime_error if there are none.
+CsvTable last_state_at(const CsvTable& table, double load);
+
 }  // namespace cleft

@@ -1,4 +1,5 @@
-// Runs that are kept: whether their files are as they were left, and how long they took.
+/// \file
+/// Runs that are kept: whether their files are as they were left, and how long they took.
 #pragma once
 
 #include <map>
@@ -7,7 +8,7 @@
 
 namespace cleft::convergence {
 
-/// Notes what the files of a run hold that a study reads, so that a change shows. Throws std::runtime_error where they
+/// Notes what the files of a run hold that a check reads, so that a change shows. Throws std::runtime_error where they
 /// cannot be read or the note cannot be written.
 void seal(const std::string& folder);
 
