@@ -44,8 +44,8 @@ struct Posterior {
 };
 
 /// A sequence with a limit that is not known has three meshes at least, others two; none more than kMostMeshes, and not
-/// all results equal. With a known limit (0, so that the results are errors) only `order`, `scattered` and `best` are filled in: the
-/// scatter z_i then is relative to the error.
+/// all results equal. With a known limit (0, so that the results are errors) only `order`, `scattered` and `best` are
+/// filled in: the scatter z_i then is relative to the error.
 Posterior posterior_of(const Sequence& sequence);
 
 }  // namespace cleft::convergence
