@@ -81,12 +81,14 @@ TEST(ExampleContact, TangentIsTheDerivativeOfTheForce) {
   for (const auto& method : kMethods) {
     auto block = body(method);
     tangent_check::TangentReport report;
-    EXPECT_FALSE(tangent_check::visit_intermediate_states(block, 3, [&](const tangent_check::IntermediateState& b) {
-      EXPECT_FALSE(tangent_check::check_tangent(b.model, b.before.history, b.displacement, b.load, 1e-6, report));
+    tangent_check::EvenlyOverLoad chosen(3);
+    EXPECT_FALSE(tangent_check::visit_increments(block, [&](const tangent_check::IntermediateState& b) {
+      if (chosen.takes(b))
+        EXPECT_FALSE(tangent_check::check_tangent(b.model, b.before.history, b.displacement, b.load, 1e-6, report));
       return true;
     }));
     EXPECT_LT(report.worst(), 1e-8) << method.name;
-    EXPECT_TRUE(report.enough()) << method.name;
+    EXPECT_TRUE(report.gaps().empty()) << method.name;
     EXPECT_GT(report.blocks[method.branch].entries, 0) << method.name;
   }
 }
