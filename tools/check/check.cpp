@@ -38,7 +38,7 @@ std::string switched_on(const problem::Specification& scene, const assembly::Mod
 
 std::string describe(const contact::InterfaceLaw& law) {
   const auto* coulomb = std::get_if<contact::Coulomb>(&law);
-  return coulomb ? fmt::format("friction {}", coulomb->friction) : "a law without words";
+  return coulomb ? fmt::format("friction {}", coulomb->friction) : "a law other than Coulomb's";
 }
 
 std::string describe(const problem::GrowthLaw& law) {

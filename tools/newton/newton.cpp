@@ -134,7 +134,8 @@ std::vector<tangent_check::IncrementRate> rates_of_scene(const Options& options)
   run.directory = options.directory.empty() ? temporary.path : options.directory;
   run.stop = &stop;
   run.step = [&](const solve::Step& step) {
-    rates.push_back({step.number, step.load, false, step.iterations, tangent_check::observe(iterations_of(step))});
+    const auto iterations = iterations_of(step);
+    rates.push_back({step.number, step.load, false, iterations, tangent_check::observe(iterations)});
     if (tangent_check::is_clearly_linear(rates, options.required)) stop = true;
   };
   const auto result = simulation::run(scene, run);

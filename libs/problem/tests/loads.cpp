@@ -59,7 +59,7 @@ TEST_P(TractionOnACrackedEdge, IsBornByTheSideThatItStandsOn) {
       const VecX force = traction_force(m, boundary, {0.0, -2.0});
       double on_left = 0.0;
       for (const Index unknown : left) on_left += force[2 * unknown + 1];
-      EXPECT_NEAR(on_left, -2.0 * share, 1e-6) << body.name << ", " << boundary;
+      EXPECT_NEAR(on_left, -2.0 * share, 1e-7) << body.name << ", " << boundary;
       EXPECT_NEAR(force.sum(), -20.0, 1e-12) << body.name << ", " << boundary;
     }
   }

@@ -17,19 +17,6 @@ inline MaterialSpec elastic(double young = kYoung, double poisson = 0.25) {
   return out;
 }
 
-/// A crack with Coulomb friction in contact by springs of `penalty`, Pa/m.
-inline CrackSpec crack_with_springs(const geometry::Crack& crack, double friction, double penalty,
-                                    contact::NegativeSide side = contact::NegativeSide::Right) {
-  CrackSpec out;
-  out.name = crack.name;
-  out.points = crack.points;
-  out.negative_side = side;
-  out.law = contact::Coulomb{friction};
-  out.mortar.on = false;
-  out.normal_penalty = out.tangential_penalty = penalty;
-  return out;
-}
-
 /// A crack with Coulomb friction in contact by multipliers.
 inline CrackSpec crack_with_multipliers(const geometry::Crack& crack, double friction,
                                         contact::NegativeSide side = contact::NegativeSide::Right) {
@@ -38,6 +25,15 @@ inline CrackSpec crack_with_multipliers(const geometry::Crack& crack, double fri
   out.points = crack.points;
   out.negative_side = side;
   out.law = contact::Coulomb{friction};
+  return out;
+}
+
+/// The same in contact by springs of `penalty`, Pa/m.
+inline CrackSpec crack_with_springs(const geometry::Crack& crack, double friction, double penalty,
+                                    contact::NegativeSide side = contact::NegativeSide::Right) {
+  CrackSpec out = crack_with_multipliers(crack, friction, side);
+  out.mortar.on = false;
+  out.normal_penalty = out.tangential_penalty = penalty;
   return out;
 }
 

@@ -5,8 +5,8 @@
 
 namespace cleft::solve {
 
-/// `residual` is that of all unknowns with nothing in the prescribed ones, N/m. Of the contact points on the elements
-/// of the node the nearest one is named, of the material points that flow there the one that flows most.
+/// `residual` is that of all unknowns with nothing in the prescribed ones, N/m. Where contact acts on the
+/// node, the nearest point that presses is named; where material points at the node flow, the one that flows most.
 LargestResidual largest_residual(const assembly::Model& model, const assembly::Assembler& assembler,
                                  const assembly::History& history, const VecX& residual);
 
